@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <pcl/PointIndices.h>
+
+#include <opencv2/core.hpp>
+
+#include <pcl_msf/rgbd_frame.h>
+
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief The reference frame cut into segments S_k (section 3 and 3.3).
+ *
+ * A label image: CV_32SC1, 0 .. segments - 1, -1 where a point belongs to no segment
+ * (no depth, or left out by the caller). Labels are dense: every one has a point.
+ */
+class Oversegmentation {
+public:
+  Oversegmentation() = default;
+
+  /** \brief Cuts a frame. Deterministic. \throws InvalidInput for bad parameters */
+  static Oversegmentation
+  fromFrame (const RgbdFrame& frame, const SegmentationParameters& parameters = {});
+
+  /** \brief Takes labels from outside, any integers; those that no point with depth
+   * bears disappear, the others are renumbered in ascending order. Negative labels =
+   * no segment.
+   * \throws InvalidInput when the size differs from the frame's or nothing is left */
+  static Oversegmentation
+  fromLabels (const cv::Mat& labels, const RgbdFrame& frame);
+
+  /** \brief Takes clusters of pixel indices (row * width + column), as PCL's
+   * segmentations give them. A point in several clusters belongs to the first.
+   * \throws InvalidInput for indices outside the frame or when nothing is left */
+  static Oversegmentation
+  fromIndices (const std::vector<pcl::PointIndices>& clusters, const RgbdFrame& frame);
+
+  const cv::Mat&
+  labels () const
+  {
+    return labels_;
+  }
+  int
+  size () const
+  {
+    return size_;
+  }
+
+private:
+  cv::Mat labels_;
+  int size_{0};
+};
+
+} // namespace pcl_msf

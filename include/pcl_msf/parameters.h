@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace pcl_msf {
+
+/** \brief Where the reference's normals come from. */
+enum class NormalMethod {
+  CentralDifferences, ///< Eq. 9: cross product of central differences
+  IntegralImage       ///< pcl::IntegralImageNormalEstimation
+};
+
+/** \brief How a frame is prepared. */
+struct FrameParameters {
+  double smoothing_sigma{0.7}; ///< Gaussian on the intensity, pixels, [0, 10]; 0 = none
+  double min_depth{0.0};       ///< metres; nearer points are dropped, >= 0
+  double max_depth{1000.0};    ///< metres; farther points are dropped, > min_depth
+  int max_levels{5};           ///< pyramid levels at the most, [1, 10]
+  NormalMethod normals{NormalMethod::CentralDifferences};
+
+  bool
+  isValid (std::string* why = nullptr) const;
+};
+
+/** \brief How the reference frame is cut into segments. */
+enum class SegmentationMethod {
+  TangentPlane, ///< graph-based, edges in units of the sensor's depth noise
+  Felzenszwalb, ///< the paper's: graph-based on raw depth (cv::ximgproc)
+  Slic,         ///< SLIC superpixels on intensity and depth (cv::ximgproc)
+  Tiles,        ///< regular tiles
+  Single        ///< one segment: a rigid scene
+};
+
+struct SegmentationParameters {
+  SegmentationMethod method{SegmentationMethod::TangentPlane};
+  double threshold{0.5}; ///< Felzenszwalb's, the paper's 0.5 (sigma 0 - smoothing off)
+  int min_points{2000};  ///< Felzenszwalb: smaller segments are merged or discarded
+  bool discard_small{false}; ///< Felzenszwalb: discard small segments (true) or merge
+  int segment_size{24}; ///< TangentPlane, Slic, Tiles: aimed side, pixels, [4, 512]
+
+  bool
+  isValid (std::string* why = nullptr) const;
+};
+
+/** \brief The norm on the data terms (Eq. 7 and section 4.1). */
+enum class LossType { Huber, L1, L2 };
+
+/** \brief What "two segments move differently" is measured by in Eq. 10. */
+enum class PoseDifference {
+  Metric, ///< displacement of the point between the segments, and rotation, as pixels
+  Parameters ///< the paper's: difference of the six pose parameters
+};
+
+/** \brief Weights of Eq. 5. Every term is divided by its number of residuals. */
+struct EnergyParameters {
+  double brightness_weight{1.0};   ///< alpha, >= 0
+  double icp_weight{1.0};          ///< beta, >= 0
+  double regularizer_weight{0.02}; ///< gamma, >= 0
+  double prior_weight{0.02};       ///< eta, > 0; sqrt (eta / gamma) = width, pixels
+  double huber_threshold{1.0};     ///< epsilon, in standard deviations, >= 0; 0 = L1
+  LossType loss{LossType::Huber};
+  PoseDifference pose_difference{PoseDifference::Metric};
+  int neighbors{6}; ///< n_psi, nearest centroids per segment, [0, 64]
+
+  bool
+  isValid (std::string* why = nullptr) const;
+};
+
+enum class LinearSolver {
+  Cgnr,          ///< conjugate gradients on the normal equations, Jacobi
+  SparseCholesky ///< sparse Cholesky factorization
+};
+
+/** \brief What a progress callback is told. */
+struct Progress {
+  int level{0};          ///< pyramid level, 0 = finest
+  int iteration{0};      ///< iterations so far, over all levels
+  double fraction{0.0};  ///< estimated share of the work that is done, [0, 1]
+  double cost{0.0};      ///< present energy
+  const char* stage{""}; ///< name of the stage
+};
+
+struct SolverParameters {
+  int max_iterations{8};            ///< Levenberg-Marquardt steps per level, >= 0
+  double function_tolerance{1e-3};  ///< stop when |dE| < tolerance E, >= 0
+  double parameter_tolerance{1e-7}; ///< stop when |dx| < tolerance |x|, >= 0
+  double max_seconds{0.0};          ///< time budget of a registration, 0 = none
+  LinearSolver linear_solver{LinearSolver::SparseCholesky};
+  int levels{4};             ///< pyramid levels to use at the most, [1, 10]
+  bool flow_proposals{true}; ///< start from optical flow lifted by depth as well
+  bool merge_bodies{true};   ///< merge segments that move as one rigid body
+  unsigned threads{0};       ///< 0 = all; the result does not depend on it
+
+  /** \brief Called after each iteration in the calling thread; false cancels. */
+  std::function<bool (const Progress&)> progress;
+
+  bool
+  isValid (std::string* why = nullptr) const;
+};
+
+} // namespace pcl_msf

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include <pcl_msf/parameters.h>
+#include <pcl_msf/pinhole_camera.h>
+
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief One resolution of an RGB-D frame. All images have the same size. */
+struct FrameLevel {
+  PinholeCamera camera;  ///< of this level, pixels of this level
+  cv::Mat intensity;     ///< CV_32FC1, [0, 1], Gaussian-smoothed; empty without colour
+  cv::Mat inverse_depth; ///< CV_32FC1, 1 / metres; 0 = no measurement
+  cv::Mat normals;       ///< CV_32FC3, unit, towards the camera (z < 0); 0 0 0 = none
+
+  int
+  width () const
+  {
+    return inverse_depth.cols;
+  }
+  int
+  height () const
+  {
+    return inverse_depth.rows;
+  }
+};
+
+/** \brief An RGB-D image with its camera, prepared for alignment: smoothed intensity,
+ * inverse depth, normals, a pyramid of them, and the noise found in it (section 3.3).
+ *
+ * Immutable once made; copies share the images; safe to read from many threads.
+ */
+class RgbdFrame {
+public:
+  RgbdFrame() = default;
+
+  /** \param color CV_8UC1, CV_8UC3 (BGR) or CV_32FC1 in [0, 1]; empty = geometry only
+   * \param depth CV_32FC1, metres; NaN, inf, 0 and negative = no measurement
+   * \param camera of both (they are registered to each other)
+   * \param normals CV_32FC3 or empty: used in place of computed normals when given
+   * \throws InvalidInput for empty, sizes that differ, no valid depth, absurd camera */
+  static RgbdFrame
+  fromImages (const cv::Mat& color,
+              const cv::Mat& depth,
+              const PinholeCamera& camera,
+              const FrameParameters& parameters = {},
+              const cv::Mat& normals = {});
+
+  bool
+  empty () const
+  {
+    return levels_.empty();
+  }
+  bool
+  hasIntensity () const
+  {
+    return !empty() && !levels_[0].intensity.empty();
+  }
+  int
+  width () const
+  {
+    return empty() ? 0 : levels_[0].width();
+  }
+  int
+  height () const
+  {
+    return empty() ? 0 : levels_[0].height();
+  }
+  const PinholeCamera&
+  camera () const
+  {
+    return levels_.at (0).camera;
+  }
+
+  /** \brief Level 0 is the input's resolution, each next one half of it. */
+  const std::vector<FrameLevel>&
+  levels () const
+  {
+    return levels_;
+  }
+
+  /** \brief Standard deviation of the intensity noise, intensity units. */
+  double
+  intensityNoise () const
+  {
+    return intensity_noise_;
+  }
+
+  /** \brief Standard deviation of the inverse depth, 1 / metres; sigma_z = z^2 times
+   * this (disparity sensors have one such number for all depths). */
+  double
+  inverseDepthNoise () const
+  {
+    return inverse_depth_noise_;
+  }
+
+  /** \brief Unsmoothed 8-bit grey image at full resolution; empty without colour. */
+  const cv::Mat&
+  gray () const
+  {
+    return gray_;
+  }
+
+  /** \brief Colour as given, CV_8UC3 BGR, for pictures; empty when none was given. */
+  const cv::Mat&
+  color () const
+  {
+    return color_;
+  }
+
+private:
+  std::vector<FrameLevel> levels_;
+  cv::Mat gray_;
+  cv::Mat color_;
+  double intensity_noise_{0.0};
+  double inverse_depth_noise_{0.0};
+};
+
+} // namespace pcl_msf

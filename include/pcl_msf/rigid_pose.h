@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+
+namespace pcl_msf {
+
+/** \brief 6x6 matrix without alignment requirements: safe as a member of public classes
+ * whatever vector instructions the including code is compiled for. */
+using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
+
+/** \brief 6-vector without alignment requirements. */
+using Vector6 = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
+
+/** \brief A rigid motion `b_from_a` as (angle-axis, translation): the paper's T_k.
+ *
+ * Six doubles: rotation vector in radians (axis times angle), translation in metres. It
+ * takes a point of frame a to frame b: p_b = R (rotation) p_a + translation.
+ */
+struct RigidPose {
+  std::array<double, 6> parameters{}; ///< ax ay az [rad], tx ty tz [m]; zero = identity
+
+  static RigidPose
+  fromMatrix (const Eigen::Matrix<double, 3, 3>& rotation,
+              const Eigen::Vector3d& translation);
+
+  /** \brief From the upper 3x4 of a homogeneous matrix; the rotation part is projected
+   * to the nearest rotation. */
+  static RigidPose
+  fromMatrix (const Eigen::Matrix<float, 4, 4>& b_from_a);
+
+  /** \brief Eq. 4, safe at zero angle. */
+  Eigen::Matrix<double, 3, 3>
+  rotation () const;
+
+  Eigen::Vector3d
+  translation () const
+  {
+    return {parameters[3], parameters[4], parameters[5]};
+  }
+
+  Eigen::Vector3d
+  operator* (const Eigen::Vector3d& point) const;
+
+  /** \brief `c_from_b * b_from_a` = `c_from_a`. */
+  RigidPose
+  operator* (const RigidPose& b_from_a) const;
+
+  RigidPose
+  inverse () const;
+
+  Eigen::Matrix<float, 4, 4>
+  matrix () const;
+
+  /** \brief Rotation angle, radians in [0, pi]. */
+  double
+  angle () const;
+
+  bool
+  isFinite () const;
+};
+
+/** \brief Rotation matrix of a rotation vector (Eq. 4), safe at zero. */
+Eigen::Matrix<double, 3, 3>
+rotationFromVector (const Eigen::Vector3d& rotation_vector);
+
+/** \brief Rotation vector (angle in [0, pi]) of a rotation matrix, safe at 0 and pi. */
+Eigen::Vector3d
+vectorFromRotation (const Eigen::Matrix<double, 3, 3>& rotation);
+
+/** \brief Left Jacobian of SO(3): d (R (a) p) / d a = -[R (a) p]_x J_l (a). */
+Eigen::Matrix<double, 3, 3>
+leftJacobian (const Eigen::Vector3d& rotation_vector);
+
+/** \brief Cross-product matrix. */
+Eigen::Matrix<double, 3, 3>
+skew (const Eigen::Vector3d& v);
+
+} // namespace pcl_msf

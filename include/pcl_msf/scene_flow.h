@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include <pcl_msf/pinhole_camera.h>
+#include <pcl_msf/rigid_pose.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief How well a segment's motion is known. */
+enum class MotionStatus {
+  Determined,  ///< by its own points
+  Supported,   ///< its points leave a freedom, or are hidden; neighbours decide
+  Undetermined ///< neither its points nor neighbours say anything
+};
+
+/** \brief The rigid motion of one segment and how well it is known. */
+struct SegmentMotion {
+  RigidPose current_from_reference;     ///< T_k: reference point to current frame
+  Matrix6 information{Matrix6::Zero()}; ///< of the six pose parameters, data terms only
+  int rank{0};                          ///< numerical rank of information, 0 .. 6
+  MotionStatus status{MotionStatus::Undetermined};
+  int points{0};         ///< points with depth
+  int visible_points{0}; ///< of those, seen in the current frame, too
+  int body{-1};          ///< motion group: segments that move together
+  Eigen::Vector3d centroid{Eigen::Vector3d::Zero()}; ///< reference frame, metres
+};
+
+/** \brief Two neighbouring segments and the strength of their connection. */
+struct SegmentPair {
+  int first{0};
+  int second{0};
+  double weight{1.0}; ///< w_{j,h} of Eq. 10 and 11: 1 = move together, 0 = let go
+};
+
+/** \brief What a point's visibility image holds. */
+enum Visibility : unsigned char {
+  NoDepth = 0,    ///< no measurement in the reference
+  OutOfView = 64, ///< leaves the image
+  Occluded = 128, ///< behind the current frame's surface
+  Unknown = 192,  ///< lands where the current frame has no depth
+  Visible = 255   ///< seen in both frames
+};
+
+/** \brief Why the optimization ended. */
+enum class StopReason {
+  NotRun,
+  Converged,       ///< the energy changes less than the tolerance
+  IterationLimit,  ///< maximum number of iterations
+  TimeLimit,       ///< time budget used up; the result is the best so far
+  Cancelled,       ///< by the progress callback; the result is the best so far
+  InvalidInput,    ///< see Report::message
+  NumericalFailure ///< the solver could not make a step
+};
+
+/** \brief "converged", "iteration_limit", ... */
+const char*
+toString (StopReason reason);
+
+/** \brief Energy (Eq. 5), by term; weighted and normalized. */
+struct EnergyCost {
+  double brightness{0.0};
+  double icp{0.0};
+  double regularizer{0.0};
+  double prior{0.0};
+  double
+  total () const
+  {
+    return brightness + icp + regularizer + prior;
+  }
+};
+
+/** \brief One iteration, for convergence plots. */
+struct IterationRecord {
+  int level{0};
+  double cost{0.0};
+  double seconds{0.0};
+};
+
+/** \brief How a registration went. */
+struct Report {
+  StopReason stop_reason{StopReason::NotRun};
+  std::string message; ///< for a person; empty when all went well
+  bool converged{false};
+  int iterations{0};       ///< over all levels
+  EnergyCost initial_cost; ///< at the finest level, at the start poses
+  EnergyCost final_cost;   ///< at the finest level, at the result
+  double frame_seconds{0.0};
+  double segment_seconds{0.0};
+  double start_seconds{0.0}; ///< optical flow and proposals
+  double solve_seconds{0.0};
+  double result_seconds{0.0};
+  std::vector<IterationRecord> history;
+};
+
+/** \brief The result: where every point of the reference has gone, Eq. 1.
+ *
+ * All images have the reference's size and belong to its pixels. Unknown is NaN, never
+ * zero.
+ */
+struct SceneFlow {
+  PinholeCamera camera; ///< of the reference
+  cv::Mat labels;       ///< CV_32SC1, segment of each pixel, -1 = none
+  cv::Mat points;       ///< CV_32FC3, reference points, metres; NaN = no depth
+  cv::Mat displacement; ///< CV_32FC3, metres; NaN = unknown
+  cv::Mat flow;         ///< CV_32FC2, pixels (u, v); NaN = unknown
+  cv::Mat visibility;   ///< CV_8UC1, see Visibility
+  std::vector<SegmentMotion> segments;
+  std::vector<SegmentPair> pairs; ///< first < second
+  int bodies{0};                  ///< number of motion groups
+  int dominant_body{-1};          ///< the motion group with most points
+  RigidPose dominant_motion; ///< its pose; its inverse is the camera's own motion when
+                             ///< that group is the static scene
+  Report report;
+
+  /** \brief Moves a point by a segment's motion. NaN when the label is none or the
+   * motion undetermined. \param point reference frame, metres */
+  Eigen::Vector3d
+  warp (const Eigen::Vector3d& point, int label) const;
+};
+
+} // namespace pcl_msf
