@@ -88,7 +88,7 @@ struct SolverParameters {
   double function_tolerance{1e-3};  ///< stop when |dE| < tolerance E, >= 0
   double parameter_tolerance{1e-7}; ///< stop when |dx| < tolerance |x|, >= 0
   double max_seconds{0.0};          ///< time budget of a registration, 0 = none
-  LinearSolver linear_solver{LinearSolver::SparseCholesky};
+  LinearSolver linear_solver{LinearSolver::Cgnr};
   int levels{4};             ///< pyramid levels to use at the most, [1, 10]
   bool flow_proposals{true}; ///< start from optical flow lifted by depth as well
   bool merge_bodies{true};   ///< merge segments that move as one rigid body

@@ -24,6 +24,7 @@ struct Points {
   const float* intensity;
   const float *nx, *ny, *nz;
   const float *brightness_scale, *icp_scale;
+  const float* depth_tolerance;
   int count;
 };
 
@@ -37,7 +38,8 @@ enum ActiveBits : std::uint8_t {
   kBrightness = 1,
   kIcp = 2,
   kOccluded = 4,
-  kOutside = 8
+  kOutside = 8,
+  kUnknown = 16 ///< the frame has no depth there
 };
 
 /** \brief A segment's motion: q = R p + t, and o = R c + t for its centroid c. */
@@ -45,17 +47,19 @@ struct Motion {
   double rotation[9]; ///< row major
   double translation[3];
   double origin[3];
+  double normal_rotation[9]; ///< carries the reference's normals; frozen, row major
 };
 
 /** \brief The loss and the rules for visibility. */
 struct Rules {
-  float huber;              ///< epsilon of Eq. 7, standard deviations; < 0: L2
-  float hidden_cost;        ///< of an inactive residual
-  float brightness_weight;  ///< alpha / number of residuals
-  float icp_weight;         ///< beta / number of residuals
-  float depth_tolerance;    ///< absolute part, 1 / metres, of the z-test
-  float relative_tolerance; ///< relative part
-  float truncation;         ///< cost limit per residual of probe ()
+  float huber;             ///< epsilon of Eq. 7, standard deviations; < 0: L2
+  float conflict_cost;     ///< of an ICP residual before or far off the frame's surface
+  float occluded_cost;     ///< of a residual behind the frame's surface
+  float outside_cost;      ///< of a residual that leaves the image
+  float unknown_cost;      ///< of an ICP residual where the frame has no depth
+  float brightness_weight; ///< alpha / number of residuals
+  float icp_weight;        ///< beta / number of residuals
+  float truncation;        ///< cost limit per residual of probe ()
 };
 
 /** \brief Sums over points: A = sum w J' J (upper triangle, row by row), b = sum w J'
@@ -66,6 +70,7 @@ struct Sums {
   double b[6];
   double brightness_cost;
   double icp_cost;
+  double hidden; ///< weight of the residuals of points occluded or out of view
 };
 
 /** \brief Renews the correspondences and linearizes: adds to sums. */

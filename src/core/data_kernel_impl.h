@@ -23,10 +23,12 @@ enum class Mode { Renew, Keep, Cost, Probe };
 template <typename S>
 struct Block {
   S qx[kBlock], qy[kBlock], qz[kBlock], iz[kBlock];
+  S nx[kBlock], ny[kBlock], nz[kBlock]; // normals, carried to the current frame
   S u[kBlock], v[kBlock];
   S brightness[kBlock], gu[kBlock], gv[kBlock];
   S icp[kBlock];
   S brightness_on[kBlock], icp_on[kBlock]; // 0 or 1
+  S hidden[kBlock];                        // cost of a residual that is off
   S wb[kBlock], wi[kBlock];                // robust weights times term weights
   S jb[6][kBlock], ji[6][kBlock];
 };
@@ -56,6 +58,25 @@ warp (
     k.iz[i] = iz;
     k.u[i] = fx * qx * iz + cx;
     k.v[i] = fy * qy * iz + cy;
+  }
+}
+
+/** Turns the normals with the frozen rotation. */
+template <typename S>
+PCL_MSF_INLINE void
+turnNormals (const Points& p, int first, int n, const Motion& m, Block<S>& k)
+{
+  const double* r = m.normal_rotation;
+  const S r0 = r[0], r1 = r[1], r2 = r[2], r3 = r[3], r4 = r[4], r5 = r[5];
+  const S r6 = r[6], r7 = r[7], r8 = r[8];
+#pragma omp simd
+  for (int i = 0; i < n; ++i) {
+    const S x = p.nx[first + i];
+    const S y = p.ny[first + i];
+    const S z = p.nz[first + i];
+    k.nx[i] = r0 * x + r1 * y + r2 * z;
+    k.ny[i] = r3 * x + r4 * y + r5 * z;
+    k.nz[i] = r6 * x + r7 * y + r8 * z;
   }
 }
 
@@ -99,7 +120,6 @@ correspond (const Points& p,
             int first,
             int n,
             const Image& image,
-            const Rules& rules,
             Block<S>& k,
             float* plane_offset,
             std::uint8_t* active)
@@ -123,7 +143,7 @@ correspond (const Points& p,
     const S w11 = texels[at + row + 2];
     const S high = std::max (std::max (w00, w10), std::max (w01, w11));
     const S low = std::min (std::min (w00, w10), std::min (w01, w11));
-    const S tolerance = S (rules.depth_tolerance) + S (rules.relative_tolerance) * high;
+    const S tolerance = p.depth_tolerance[first + i];
     const S top = w00 + a * (w10 - w00);
     const S bottom = w01 + a * (w11 - w01);
     const S left = b < S (0.5) ? w00 : w01;
@@ -138,15 +158,16 @@ correspond (const Points& p,
     const bool known = w > S (0);
     const bool occluded = known & (behind > tolerance);
     const bool fits = known & (behind > S (-3) * tolerance) & !occluded;
-    const S ray = S (p.nx[first + i]) * k.qx[i] + S (p.ny[first + i]) * k.qy[i] +
-                  S (p.nz[first + i]) * k.qz[i];
+    const S ray = k.nx[i] * k.qx[i] + k.ny[i] * k.qy[i] + k.nz[i] * k.qz[i];
     const S inverse_w = S (1) / std::max (w, S (1e-6));
     plane_offset[i] = static_cast<float> (ray * k.iz[i] * inverse_w);
     const int brightness = (inside & !occluded) ? kBrightness : 0;
     const int icp = (inside & fits) ? kIcp : 0;
     const int hidden = (inside & occluded) ? kOccluded : 0;
     const int outside = inside ? 0 : kOutside;
-    active[i] = static_cast<std::uint8_t> (brightness | icp | hidden | outside);
+    const int unknown = (inside & !known) ? kUnknown : 0;
+    active[i] =
+        static_cast<std::uint8_t> (brightness | icp | hidden | outside | unknown);
   }
 }
 
@@ -157,15 +178,20 @@ planeDistance (const Points& p,
                int n,
                const float* plane_offset,
                const std::uint8_t* active,
+               const Rules& rules,
                Block<S>& k)
 {
+  const S conflict_cost = rules.conflict_cost, occluded_cost = rules.occluded_cost;
+  const S outside_cost = rules.outside_cost, unknown_cost = rules.unknown_cost;
 #pragma omp simd
   for (int i = 0; i < n; ++i) {
-    const S along = S (p.nx[first + i]) * k.qx[i] + S (p.ny[first + i]) * k.qy[i] +
-                    S (p.nz[first + i]) * k.qz[i];
+    const S along = k.nx[i] * k.qx[i] + k.ny[i] * k.qy[i] + k.nz[i] * k.qz[i];
     k.icp[i] = (along - S (plane_offset[i])) * S (p.icp_scale[first + i]);
     k.brightness_on[i] = (active[i] & kBrightness) ? S (1) : S (0);
     k.icp_on[i] = (active[i] & kIcp) ? S (1) : S (0);
+    const S seen = (active[i] & kUnknown) ? unknown_cost : conflict_cost;
+    const S covered = (active[i] & kOccluded) ? occluded_cost : seen;
+    k.hidden[i] = (active[i] & kOutside) ? outside_cost : covered;
   }
 }
 
@@ -199,11 +225,12 @@ addCosts (const Points& p,
           Sums& sums)
 {
   const S huber = rules.huber;
-  const S hidden = rules.hidden_cost;
   const S limit = rules.truncation;
   S brightness = 0;
   S icp = 0;
-#pragma omp simd reduction(+ : brightness, icp)
+  S hidden_brightness = 0;
+  S hidden_icp = 0;
+#pragma omp simd reduction(+ : brightness, icp, hidden_brightness, hidden_icp)
   for (int i = 0; i < n; ++i) {
     S cb = robustCost (k.brightness[i], huber);
     S ci = robustCost (k.icp[i], huber);
@@ -213,11 +240,15 @@ addCosts (const Points& p,
     }
     const S has_b = p.brightness_scale[first + i] > 0.0f ? S (1) : S (0);
     const S has_i = p.icp_scale[first + i] > 0.0f ? S (1) : S (0);
-    brightness += has_b * (k.brightness_on[i] > S (0) ? cb : hidden);
-    icp += has_i * (k.icp_on[i] > S (0) ? ci : hidden);
+    brightness += has_b * (k.brightness_on[i] > S (0) ? cb : k.hidden[i]);
+    icp += has_i * (k.icp_on[i] > S (0) ? ci : k.hidden[i]);
+    hidden_brightness += has_b * (S (1) - k.brightness_on[i]);
+    hidden_icp += has_i * (S (1) - k.brightness_on[i]);
   }
   sums.brightness_cost += static_cast<double> (brightness) * rules.brightness_weight;
   sums.icp_cost += static_cast<double> (icp) * rules.icp_weight;
+  sums.hidden += static_cast<double> (hidden_brightness) * rules.brightness_weight +
+                 static_cast<double> (hidden_icp) * rules.icp_weight;
 }
 
 /** Jacobians by a left perturbation about the motion's origin, and weights. */
@@ -249,9 +280,9 @@ differentiate (const Points& p,
     k.jb[4][i] = by;
     k.jb[5][i] = bz;
     const S s = p.icp_scale[first + i];
-    const S nx = S (p.nx[first + i]) * s;
-    const S ny = S (p.ny[first + i]) * s;
-    const S nz = S (p.nz[first + i]) * s;
+    const S nx = k.nx[i] * s;
+    const S ny = k.ny[i] * s;
+    const S nz = k.nz[i] * s;
     k.ji[0][i] = my * nz - mz * ny;
     k.ji[1][i] = mz * nx - mx * nz;
     k.ji[2][i] = mx * ny - my * nx;
@@ -307,10 +338,11 @@ run (const Points& points,
     float* offset = mode == Mode::Probe ? own_offset : state.plane_offset + first;
     std::uint8_t* active = mode == Mode::Probe ? own_active : state.active + first;
     warp (points, first, n, image, motion, k);
+    turnNormals (points, first, n, motion, k);
     sampleIntensity (points, first, n, image, k);
     if (mode == Mode::Renew || mode == Mode::Probe)
-      correspond (points, first, n, image, rules, k, offset, active);
-    planeDistance (points, first, n, offset, active, k);
+      correspond (points, first, n, image, k, offset, active);
+    planeDistance (points, first, n, offset, active, rules, k);
     addCosts<S, mode> (points, first, n, rules, k, sums);
     if (mode == Mode::Renew || mode == Mode::Keep) {
       differentiate (points, first, n, image, motion, rules, k);

@@ -10,18 +10,22 @@ namespace {
 
 constexpr double kHiddenSigmas =
     4.0; // a hidden point costs what a misfit like this does
-constexpr double kOcclusionSigmas = 5.0;
 
 kernel::Motion
-kernelMotion (const RigidPose& pose, const Eigen::Vector3d& centroid)
+kernelMotion (const RigidPose& pose,
+              const RigidPose& frozen,
+              const Eigen::Vector3d& centroid)
 {
   const Eigen::Matrix3d r = pose.rotation();
+  const Eigen::Matrix3d n = frozen.rotation();
   const Eigen::Vector3d t = pose.translation();
   const Eigen::Vector3d o = r * centroid + t;
   kernel::Motion m{};
   for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j)
+    for (int j = 0; j < 3; ++j) {
       m.rotation[3 * i + j] = r (i, j);
+      m.normal_rotation[3 * i + j] = n (i, j);
+    }
     m.translation[i] = t[i];
     m.origin[i] = o[i];
   }
@@ -53,10 +57,7 @@ toPoseParameters (const kernel::Sums& sums,
 } // namespace
 
 kernel::Rules
-makeRules (const EnergyParameters& energy,
-           const SegmentPixels& pixels,
-           const NoiseModel& noise,
-           double relative_tolerance)
+makeRules (const EnergyParameters& energy, const SegmentPixels& pixels)
 {
   double huber = energy.huber_threshold;
   if (energy.loss == LossType::L2)
@@ -70,17 +71,20 @@ makeRules (const EnergyParameters& energy,
   }
   kernel::Rules rules{};
   rules.huber = static_cast<float> (huber);
-  const double hidden = huber < 0.0 || huber >= kHiddenSigmas
-                            ? 0.5 * kHiddenSigmas * kHiddenSigmas
-                            : huber * (kHiddenSigmas - 0.5 * huber);
-  rules.hidden_cost = static_cast<float> (hidden);
-  rules.truncation = static_cast<float> (hidden);
+  const auto cost_of = [huber] (double sigmas) {
+    return static_cast<float> (huber < 0.0 || huber >= sigmas
+                                   ? 0.5 * sigmas * sigmas
+                                   : huber * (sigmas - 0.5 * huber));
+  };
+  rules.conflict_cost = cost_of (4);
+  rules.occluded_cost = cost_of (2.5);
+  rules.outside_cost = cost_of (2);
+  rules.unknown_cost = cost_of (3);
+  rules.truncation = cost_of (4);
   rules.brightness_weight = static_cast<float> (scale * energy.brightness_weight /
                                                 std::max (1, pixels.brightness_count));
   rules.icp_weight =
       static_cast<float> (scale * energy.icp_weight / std::max (1, pixels.icp_count));
-  rules.depth_tolerance = static_cast<float> (kOcclusionSigmas * noise.inverse_depth);
-  rules.relative_tolerance = static_cast<float> (relative_tolerance);
   return rules;
 }
 
@@ -118,6 +122,7 @@ DataTerm::DataTerm (const SegmentPixels& pixels,
 , threads_ (threads)
 , plane_offset_ (pixels.pixel.size(), 0.0f)
 , active_ (pixels.pixel.size(), 0)
+, frozen_ (pixels.segments())
 , quadratics_ (pixels.segments())
 {}
 
@@ -134,13 +139,16 @@ DataTerm::points (int k) const
           pixels_.nz.data() + at,
           pixels_.brightness_scale.data() + at,
           pixels_.icp_scale.data() + at,
+          pixels_.depth_tolerance.data() + at,
           pixels_.size (k)};
 }
 
 void
 DataTerm::evaluate (int k, const RigidPose& pose, Pass pass)
 {
-  const kernel::Motion motion = kernelMotion (pose, pixels_.centroid[k]);
+  if (pass == Pass::Linearize)
+    frozen_[k] = pose;
+  const kernel::Motion motion = kernelMotion (pose, frozen_[k], pixels_.centroid[k]);
   const int at = pixels_.begin[k];
   const kernel::Correspondences state{plane_offset_.data() + at, active_.data() + at};
   kernel::Sums sums{};
@@ -167,13 +175,17 @@ DataTerm::sweep (const MotionState& state, Pass pass)
     evaluate (k, state.poseOf (k), pass);
 }
 
-double
+DataTerm::Probe
 DataTerm::probe (int k, const RigidPose& pose) const
 {
   kernel::Sums sums{};
   kernel::probe (
-      points (k), image_, kernelMotion (pose, pixels_.centroid[k]), rules_, sums);
-  return sums.brightness_cost + sums.icp_cost;
+      points (k), image_, kernelMotion (pose, pose, pixels_.centroid[k]), rules_, sums);
+  Probe result;
+  result.cost = sums.brightness_cost + sums.icp_cost;
+  result.weight = totalWeight (k);
+  result.hidden = result.weight > 0.0 ? sums.hidden / result.weight : 1.0;
+  return result;
 }
 
 } // namespace pcl_msf

@@ -7,6 +7,7 @@
 #include "core/segment_pixels.h"
 #include <pcl_msf/parameters.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -25,12 +26,9 @@ struct SegmentQuadratic {
   }
 };
 
-/** \brief Which rules decide about visibility and loss on a level. */
+/** \brief Loss and weights of the data terms, normalized by their residual counts. */
 kernel::Rules
-makeRules (const EnergyParameters& energy,
-           const SegmentPixels& pixels,
-           const NoiseModel& noise,
-           double relative_tolerance);
+makeRules (const EnergyParameters& energy, const SegmentPixels& pixels);
 
 /** \brief The frame's level as the kernels read it: intensity and inverse depth. */
 class Texture {
@@ -74,6 +72,14 @@ public:
     return pixels_;
   }
 
+  /** \brief Pose at which a segment's correspondences were found: its rotation carries
+   * the reference's normals. */
+  const RigidPose&
+  frozenPose (int segment) const
+  {
+    return frozen_[segment];
+  }
+
   /** \brief Bits of kernel::ActiveBits per point. */
   const std::vector<std::uint8_t>&
   active () const
@@ -103,10 +109,33 @@ public:
     double_precision_ = on;
   }
 
-  /** \brief Mean truncated cost per residual of a segment at a pose, with fresh
-   * visibility. Thread-safe. */
-  double
+  /** \brief What a pose would cost. */
+  struct Probe {
+    double cost{0.0};   ///< truncated; share of the energy
+    double hidden{0.0}; ///< share of the residuals that are hidden, [0, 1]
+    double weight{0.0}; ///< of all residuals; cost / weight is the mean per residual
+  };
+
+  /** \brief Truncated cost of a segment at a pose, with fresh visibility.
+   * Thread-safe. */
+  Probe
   probe (int segment, const RigidPose& pose) const;
+
+  /** \brief Weight of all residuals of a segment. */
+  double
+  totalWeight (int segment) const
+  {
+    return pixels_.size (segment) *
+           ((pixels_.brightness_count > 0 ? rules_.brightness_weight : 0.0) +
+            (pixels_.icp_count > 0 ? rules_.icp_weight : 0.0));
+  }
+
+  /** \brief What a hidden residual costs more when nothing vouches for the pose. */
+  double
+  unsupportedCost () const
+  {
+    return rules_.conflict_cost - rules_.occluded_cost;
+  }
 
 private:
   kernel::Points
@@ -121,6 +150,7 @@ private:
   bool double_precision_{false};
   std::vector<float> plane_offset_;
   std::vector<std::uint8_t> active_;
+  std::vector<RigidPose> frozen_; ///< per segment, pose of the last renewal
   std::vector<SegmentQuadratic> quadratics_;
 };
 

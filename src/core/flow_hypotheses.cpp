@@ -128,6 +128,34 @@ estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current)
   return flow;
 }
 
+namespace {
+
+/** Intensities that the flow matches, at the level of the samples. */
+void
+matchIntensities (const cv::Mat& flow,
+                  const RgbdFrame& current,
+                  const SegmentPixels& pixels,
+                  int level,
+                  FlowHypotheses& result)
+{
+  const cv::Mat& image = current.levels()[level].intensity;
+  const float scale = 1.0f / static_cast<float> (1 << level);
+  for (std::size_t i = 0; i < pixels.pixel.size(); ++i) {
+    const int x = pixels.pixel[i] % image.cols;
+    const int y = pixels.pixel[i] / image.cols;
+    const cv::Vec2f f = flow.at<cv::Vec2f> (std::min (y << level, flow.rows - 1),
+                                            std::min (x << level, flow.cols - 1));
+    const int u = cvRound (static_cast<float> (x) + f[0] * scale);
+    const int v = cvRound (static_cast<float> (y) + f[1] * scale);
+    if (u < 0 || v < 0 || u >= image.cols || v >= image.rows)
+      continue;
+    result.pairs_reference.push_back (pixels.intensity[i]);
+    result.pairs_current.push_back (image.at<float> (v, u));
+  }
+}
+
+} // namespace
+
 FlowHypotheses
 hypothesesFromFlow (const cv::Mat& flow,
                     const RgbdFrame& current,
@@ -141,6 +169,7 @@ hypothesesFromFlow (const cv::Mat& flow,
   const RigidFitOptions options{
       current.camera(), 2.0 * noise.inverse_depth, 2.0 * noise.relative_depth, 0.5, 6};
   FlowHypotheses result;
+  matchIntensities (flow, current, pixels, level, result);
   const int segments = pixels.segments();
   result.of_segment.assign (segments, start);
   result.fitted.assign (segments, 0);

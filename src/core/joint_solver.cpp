@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 namespace pcl_msf {
 
@@ -43,6 +45,7 @@ solverOptions (const SolverParameters& solver, const SolveMonitor& monitor)
                                    ? ceres::CGNR
                                    : ceres::SPARSE_NORMAL_CHOLESKY;
   options.preconditioner_type = ceres::JACOBI;
+  options.eta = 1e-2;
   options.use_nonmonotonic_steps = true;
   options.max_num_iterations = solver.max_iterations;
   options.function_tolerance = solver.function_tolerance;
@@ -60,6 +63,17 @@ double
 JointEnergy::unit (const SegmentLink& link) const
 {
   return focal_length_ / std::max (link.midpoint.z(), 1e-3);
+}
+
+double
+JointEnergy::linkStrength (int i, const RigidPose& first, const RigidPose& second) const
+{
+  const SegmentLink& link = links_[i];
+  const double d2 =
+      poseDifference (first, second, link, unit (link), parameters_.pose_difference)
+          .squaredNorm();
+  return parameters_.prior_weight /
+         (parameters_.regularizer_weight * d2 + parameters_.prior_weight);
 }
 
 double
@@ -128,8 +142,15 @@ JointEnergy::minimize (const SolverParameters& solver,
   ceres::Solver::Options options = solverOptions (solver, monitor);
   options.callbacks.push_back (&callback);
   ceres::Solver::Summary summary;
-  if (solver.max_iterations > 0 && !monitor.stopped())
+  if (solver.max_iterations > 0 && !monitor.stopped()) {
+    if (getenv ("VV")) {
+      options.minimizer_progress_to_stdout = true;
+      options.logging_type = ceres::PER_MINIMIZER_ITERATION;
+    }
     ceres::Solve (options, &problem.problem(), &summary);
+    if (getenv ("VV"))
+      puts (summary.FullReport().c_str());
+  }
   relaxWeights (state);
   outcome.final = evaluate (state);
   outcome.iterations = static_cast<int> (summary.iterations.size());

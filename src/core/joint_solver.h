@@ -49,6 +49,11 @@ public:
   double
   couplingCost (int link, const RigidPose& first, const RigidPose& second) const;
 
+  /** \brief w^2 of a link at its optimum: 1 = the poses agree, 0 = nothing in common.
+   */
+  double
+  linkStrength (int link, const RigidPose& first, const RigidPose& second) const;
+
   DataTerm&
   data ()
   {

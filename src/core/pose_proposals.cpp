@@ -2,10 +2,13 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/pose_proposals.h"
 
+#include <algorithm>
+
 namespace pcl_msf {
 
 namespace {
 
+constexpr double kMostlyHidden = 0.5;
 constexpr double kClearlyBetter = 0.995; // a change must lower the cost by this factor
 
 } // namespace
@@ -27,10 +30,27 @@ PoseProposals::PoseProposals (JointEnergy& energy,
 double
 PoseProposals::cost (int segment, const RigidPose& pose, const MotionState& state) const
 {
-  double sum = energy_.data().probe (segment, pose);
-  for (const Neighbor& n : neighbors_[segment])
-    sum += energy_.couplingCost (n.link, pose, state.poseOf (n.segment));
-  return sum;
+  const DataTerm::Probe probe = energy_.data().probe (segment, pose);
+  double sum = probe.cost;
+  double support = 0.0; // the strongest connection to a neighbour that is seen
+  for (const Neighbor& n : neighbors_[segment]) {
+    const RigidPose& other = state.poseOf (n.segment);
+    sum += energy_.couplingCost (n.link, pose, other);
+    if (seen_[n.segment])
+      support = std::max (support, energy_.linkStrength (n.link, pose, other));
+  }
+  return sum + probe.weight * probe.hidden * (1.0 - support) *
+                   energy_.data().unsupportedCost();
+}
+
+void
+PoseProposals::lookWhoIsSeen (const MotionState& state)
+{
+  const int segments = static_cast<int> (own_.size());
+  seen_.assign (segments, 0);
+#pragma omp parallel for schedule(dynamic, 8) num_threads(threads_)
+  for (int k = 0; k < segments; ++k)
+    seen_[k] = energy_.data().probe (k, state.poseOf (k)).hidden < kMostlyHidden;
 }
 
 bool
@@ -41,10 +61,11 @@ PoseProposals::improve (int segment,
 {
   double best = kClearlyBetter * cost (segment, pose, state);
   bool changed = false;
-  const auto offer = [&] (const RigidPose& candidate) {
+  const double alone = 0.05 * energy_.data().totalWeight (segment);
+  const auto offer = [&] (const RigidPose& candidate, double extra) {
     if (candidate.parameters == pose.parameters)
       return;
-    const double c = cost (segment, candidate, state);
+    const double c = cost (segment, candidate, state) + extra;
     if (c < best) {
       best = c;
       pose = candidate;
@@ -52,12 +73,12 @@ PoseProposals::improve (int segment,
     }
   };
   for (const Neighbor& n : neighbors_[segment])
-    offer (state.poseOf (n.segment));
+    offer (state.poseOf (n.segment), 0.0);
   if (first) {
     for (const RigidPose& candidate : own_[segment])
-      offer (candidate);
+      offer (candidate, alone);
     for (const RigidPose& candidate : common_)
-      offer (candidate);
+      offer (candidate, 0.0);
   }
   return changed;
 }
@@ -68,6 +89,7 @@ PoseProposals::run (int rounds, MotionState& state)
   const int segments = static_cast<int> (own_.size());
   int total = 0;
   for (int round = 0; round < rounds; ++round) {
+    lookWhoIsSeen (state);
     std::vector<RigidPose> next = state.poses;
     int changes = 0;
 #pragma omp parallel for schedule(dynamic, 8) num_threads(threads_) reduction(+ : changes)

@@ -46,6 +46,8 @@ private:
 
   double
   cost (int segment, const RigidPose& pose, const MotionState& state) const;
+  void
+  lookWhoIsSeen (const MotionState& state);
   bool
   improve (int segment, const MotionState& state, bool first, RigidPose& pose) const;
 
@@ -55,6 +57,7 @@ private:
   std::vector<std::vector<Neighbor>> neighbors_;
   std::vector<std::vector<RigidPose>> own_;
   std::vector<RigidPose> common_;
+  std::vector<char> seen_; ///< per segment: mostly visible at its present pose
 };
 
 } // namespace pcl_msf

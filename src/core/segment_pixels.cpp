@@ -57,7 +57,8 @@ resizeArrays (SegmentPixels& out)
                   &out.ny,
                   &out.nz,
                   &out.brightness_scale,
-                  &out.icp_scale})
+                  &out.icp_scale,
+                  &out.depth_tolerance})
     a->resize (n);
 }
 
@@ -74,8 +75,47 @@ squaredGradient (const cv::Mat& image, int x, int y)
   return gx * gx + gy * gy;
 }
 
+/** Scale of the point-to-plane distance and tolerance of the z-test. */
 void
-fillPoint (const FrameLevel& level, const NoiseModel& noise, int i, SegmentPixels& out)
+fillDepthScales (const FrameLevel& level,
+                 const NoiseModel& noise,
+                 double relative_tolerance,
+                 int i,
+                 SegmentPixels& out)
+{
+  const Eigen::Vector3f n (out.nx[i], out.ny[i], out.nz[i]);
+  const float z = out.z[i];
+  const float w = 1.0f / z;
+  const Eigen::Vector3f ray (out.x[i] * w, out.y[i] * w, 1.0f);
+  const float along_ray = std::abs (n.dot (ray));
+  const bool has_normal = along_ray > 0.0f;
+  // The depth noise z^2 sigma_w lies along the ray and is seen from the normal; the
+  // motion model's own error of some share of a pixel lies across it.
+  const float pixel = z / static_cast<float> (level.camera.fx);
+  const float across = std::sqrt (std::max (0.0f, 1.0f - n.z() * n.z())) * pixel *
+                       static_cast<float> (noise.displacement);
+  const auto sigma_w =
+      static_cast<float> (noise.inverse_depth + noise.relative_depth * w);
+  const float along = std::max (along_ray, 0.1f) * z * z * sigma_w;
+  out.icp_scale[i] =
+      has_normal ? 1.0f / std::sqrt (along * along + across * across) : 0.0f;
+  // d W / d pixel on the tangent plane.
+  const float slope =
+      has_normal
+          ? w * n.head<2>().norm() /
+                (std::max (along_ray, 0.1f) * static_cast<float> (level.camera.fx))
+          : 0.0f;
+  constexpr float kOcclusionSigmas = 5.0f;
+  out.depth_tolerance[i] = kOcclusionSigmas * static_cast<float> (noise.inverse_depth) +
+                           static_cast<float> (relative_tolerance) * w + slope;
+}
+
+void
+fillPoint (const FrameLevel& level,
+           const NoiseModel& noise,
+           double relative_tolerance,
+           int i,
+           SegmentPixels& out)
 {
   const int u = out.pixel[i] % level.width();
   const int v = out.pixel[i] / level.width();
@@ -100,14 +140,7 @@ fillPoint (const FrameLevel& level, const NoiseModel& noise, int i, SegmentPixel
   out.nx[i] = n[0];
   out.ny[i] = n[1];
   out.nz[i] = n[2];
-  // sigma of the point-to-plane distance: depth noise z^2 sigma_w along the ray, seen
-  // from the normal. Grazing normals are unreliable: their cosine counts as 0.1.
-  const float along_ray = std::abs (n[0] * rx + n[1] * ry + n[2]);
-  const auto sigma_w =
-      static_cast<float> (noise.inverse_depth + noise.relative_depth * w);
-  const bool has_normal = along_ray > 0.0f;
-  out.icp_scale[i] =
-      has_normal ? 1.0f / (std::max (along_ray, 0.1f) * z * z * sigma_w) : 0.0f;
+  fillDepthScales (level, noise, relative_tolerance, i, out);
 }
 
 } // namespace
@@ -117,9 +150,9 @@ groupPixels (const FrameLevel& level,
              const cv::Mat& labels,
              int segments,
              const NoiseModel& noise,
-             int max_per_segment,
-             float gain,
-             float offset)
+             double relative_tolerance,
+             const BrightnessChange& change,
+             int max_per_segment)
 {
   SegmentPixels out;
   sortBySegment (labels, segments, out);
@@ -129,8 +162,8 @@ groupPixels (const FrameLevel& level,
   out.centroid.assign (segments, Eigen::Vector3d::Zero());
   for (int k = 0; k < segments; ++k) {
     for (int i = out.begin[k]; i < out.begin[k + 1]; ++i) {
-      fillPoint (level, noise, i, out);
-      out.intensity[i] = gain * out.intensity[i] + offset;
+      fillPoint (level, noise, relative_tolerance, i, out);
+      out.intensity[i] = change.gain * out.intensity[i] + change.offset;
       out.centroid[k] += Eigen::Vector3d (out.x[i], out.y[i], out.z[i]);
       out.brightness_count += out.brightness_scale[i] > 0.0f;
       out.icp_count += out.icp_scale[i] > 0.0f;

@@ -6,6 +6,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "core/brightness_change.h"
 #include <pcl_msf/rgbd_frame.h>
 
 #include <vector>
@@ -34,6 +35,7 @@ struct SegmentPixels {
   std::vector<float> nx, ny, nz; ///< normal
   std::vector<float> brightness_scale;
   std::vector<float> icp_scale;
+  std::vector<float> depth_tolerance;    ///< of the z-test, 1 / metres
   std::vector<Eigen::Vector3d> centroid; ///< metres; of the level's points
   int brightness_count{0};               ///< points with intensity
   int icp_count{0};                      ///< points with a normal
@@ -52,16 +54,19 @@ struct SegmentPixels {
 
 /** \brief Groups a level's points.
  * \param labels of the level's size, -1 = none
- * \param max_per_segment 0 = all; otherwise evenly spaced samples of larger segments
- * \param gain, offset applied to the reference's intensity: a I + b */
+ * \param relative_tolerance share of the inverse depth that the z-test forgives,
+ * besides the noise and what one pixel more or less makes on a slanted surface \param
+ * change applied to the reference's intensity \param max_per_segment 0 = all; otherwise
+ * evenly spaced samples of larger segments
+ */
 SegmentPixels
 groupPixels (const FrameLevel& level,
              const cv::Mat& labels,
              int segments,
              const NoiseModel& noise,
-             int max_per_segment = 0,
-             float gain = 1.0f,
-             float offset = 0.0f);
+             double relative_tolerance,
+             const BrightnessChange& change = {},
+             int max_per_segment = 0);
 
 /** \brief Labels of the next coarser level: those of pixels (2 i, 2 j); a pixel without
  * label takes one of its neighbours'. */

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/two_frame_solve.h"
 
+#include "core/body_assignment.h"
 #include "core/body_merging.h"
 #include "core/dense_result.h"
 #include "core/pose_proposals.h"
@@ -74,21 +75,29 @@ TwoFrameSolve::start (const RigidPose& guess)
 {
   const int level = std::min (1, levels_ - 1);
   const FrameLevel& fine = reference_.levels()[level];
-  const SegmentPixels probes =
-      groupPixels (fine, labels_[level], segments_.size(), noise_, kProbesPerSegment);
+  SegmentPixels probes = groupPixels (fine,
+                                      labels_[level],
+                                      segments_.size(),
+                                      noise_,
+                                      relativeTolerance (level),
+                                      {},
+                                      kProbesPerSegment);
   links_ = linkNearestCentroids (probes.centroid, energy_.neighbors);
   state_ = MotionState::fromSegments (std::vector<RigidPose> (segments_.size(), guess),
                                       links_.size());
   if (solver_.flow_proposals && reference_.hasIntensity()) {
-    const cv::Mat flow = estimateOpticalFlow (reference_, current_);
+    cv::Mat flow = estimateOpticalFlow (reference_, current_);
     hypotheses_ =
         hypothesesFromFlow (flow, current_, probes, level, noise_, guess, threads_);
   }
+  if (reference_.hasIntensity() && !hypotheses_.pairs_reference.empty() && 1) {
+    change_ =
+        fitBrightnessChange (hypotheses_.pairs_reference, hypotheses_.pairs_current);
+    for (float& i : probes.intensity)
+      i = change_.gain * i + change_.offset;
+  }
   const Texture texture (current_.levels()[level]);
-  DataTerm data (probes,
-                 texture,
-                 makeRules (energy_, probes, noise_, relativeTolerance (level)),
-                 threads_);
+  DataTerm data (probes, texture, makeRules (energy_, probes), threads_);
   JointEnergy energy (data, links_, energy_, fine.camera.fx);
   PoseProposals proposals (energy, links_, threads_);
   proposals.addCommon (guess);
@@ -105,13 +114,14 @@ void
 TwoFrameSolve::refine (int level)
 {
   const FrameLevel& fine = reference_.levels()[level];
-  const SegmentPixels pixels =
-      groupPixels (fine, labels_[level], segments_.size(), noise_);
+  const SegmentPixels pixels = groupPixels (fine,
+                                            labels_[level],
+                                            segments_.size(),
+                                            noise_,
+                                            relativeTolerance (level),
+                                            change_);
   const Texture texture (current_.levels()[level]);
-  DataTerm data (pixels,
-                 texture,
-                 makeRules (energy_, pixels, noise_, relativeTolerance (level)),
-                 threads_);
+  DataTerm data (pixels, texture, makeRules (energy_, pixels), threads_);
   JointEnergy energy (data, links_, energy_, fine.camera.fx);
   if (level < 2 && state_.poses.size() == (size_t)segments_.size() && 1) {
     PoseProposals proposals (energy, links_, threads_);
@@ -128,8 +138,17 @@ TwoFrameSolve::refine (int level)
   }
   report_.iterations += outcome.iterations;
   report_.final_cost = outcome.final;
-  if (solver_.merge_bodies && level == 1)
+  if (solver_.merge_bodies && (level == 1 || (level == 0 && 1))) {
     merge (data);
+    if (level == 0) {
+      t0 = monitor_.seconds();
+      SolverParameters last = solver_;
+      last.max_iterations = std::min (solver_.max_iterations, 4);
+      const JointEnergy::Outcome again = energy.minimize (last, monitor_, state_);
+      report_.converged = again.converged;
+      report_.final_cost = again.final;
+    }
+  }
 }
 
 void
@@ -143,6 +162,7 @@ TwoFrameSolve::merge (DataTerm& data)
       10.0,
       0.05};
   state_ = mergeBodies (data, links_, rules, state_);
+  int ch = reassignBodies (data, links_, 0.3, 3, threads_, state_);
 }
 
 void
@@ -150,9 +170,10 @@ TwoFrameSolve::finish (SceneFlow& result)
 {
   const double before = monitor_.seconds();
   const FrameLevel& fine = reference_.levels()[0];
-  const SegmentPixels pixels = groupPixels (fine, labels_[0], segments_.size(), noise_);
+  const SegmentPixels pixels = groupPixels (
+      fine, labels_[0], segments_.size(), noise_, relativeTolerance (0), change_);
   const Texture texture (current_.levels()[0]);
-  kernel::Rules rules = makeRules (energy_, pixels, noise_, relativeTolerance (0));
+  kernel::Rules rules = makeRules (energy_, pixels);
   DataTerm data (pixels, texture, rules, threads_);
   data.sweep (state_, DataTerm::Pass::Linearize);
   result.camera = reference_.camera();

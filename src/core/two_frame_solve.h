@@ -53,6 +53,7 @@ private:
   std::vector<SegmentLink> links_;
   MotionState state_;
   FlowHypotheses hypotheses_;
+  BrightnessChange change_;
   Report report_;
 };
 

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/data_term.h"
+#include "core/motion_state.h"
+
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief Lets segments change to another body's motion where their points do not
+ * object: what finds the way home for segments that were lost, hidden or too small.
+ *
+ * A segment tries its neighbours' bodies and the largest ones. It takes the one with
+ * the lowest mean truncated cost per residual plus `separation` times the share of its
+ * links that lead to other bodies. All decide at once, so that the outcome does not
+ * depend on the order. Bodies without segments disappear.
+ * \return how many changed */
+int
+reassignBodies (const DataTerm& data,
+                const std::vector<SegmentLink>& links,
+                double separation,
+                int rounds,
+                int threads,
+                MotionState& state);
+
+} // namespace pcl_msf
