@@ -24,19 +24,21 @@ namespace {
 
 using namespace pcl_msf;
 
+constexpr int width = 192, height = 144;
+
 SequenceOptions
 smallOptions (Scene scene, MotionSize motion = MotionSize::Easy)
 {
   SequenceOptions options;
   options.scene = scene;
   options.motion = motion;
-  options.width = 240;
-  options.height = 180;
+  options.width = width;
+  options.height = height;
   options.seed = 3;
   return options;
 }
 
-/** Three frames of a scene, rendered once for all tests. */
+/** Two frames of a scene, rendered once for all tests. */
 const SyntheticSequence&
 easySequence (Scene scene)
 {
@@ -44,7 +46,6 @@ easySequence (Scene scene)
   SyntheticSequence& sequence = sequences[scene];
   if (sequence.frames.empty()) {
     SequenceOptions options = smallOptions (scene);
-    options.frames = 3;
     sequence = synthesize (options);
   }
   return sequence;
@@ -137,22 +138,22 @@ TEST_P (EveryScene, MotionHasTheWantedSize)
                                    : synthesize (smallOptions (GetParam(), motion));
     double sum[2] = {0.0, 0.0};
     int points[2] = {0, 0}, seen = 0;
-    for (int v = 0; v < 180; ++v)
-      for (int u = 0; u < 240; ++u) {
+    for (int v = 0; v < height; ++v)
+      for (int u = 0; u < width; ++u) {
         const cv::Vec2f flow = sequence.truth[1].flow.at<cv::Vec2f> (v, u);
         seen += sequence.truth[1].visible.at<unsigned char> (v, u) == 255;
         const int moving = sequence.labels.at<int> (v, u) > 0;
         if (std::isfinite (flow[0])) {
-          sum[moving] += std::min (240.0f, std::hypot (flow[0], flow[1]));
+          sum[moving] += std::min<float> (width, std::hypot (flow[0], flow[1]));
           ++points[moving];
         }
       }
     const int count = points[0] + points[1];
-    const double wanted = (motion == MotionSize::Easy ? 4.0 : 22.0) * 240.0 / 640.0;
+    const double wanted = (motion == MotionSize::Easy ? 4.0 : 22.0) * width / 640.0;
     const double found =
         std::max ((sum[0] + sum[1]) / count, sum[1] / std::max (1, points[1]));
     EXPECT_NEAR (found, wanted, 0.1 * wanted);
-    EXPECT_GT (count, 240 * 180 / 2);
+    EXPECT_GT (count, width * height / 2);
     EXPECT_GT (seen, (motion == MotionSize::Easy ? 0.9 : 0.7) * count);
   }
 }
@@ -162,8 +163,8 @@ TEST_P (EveryScene, FlowIsTheProjectionOfTheMovedPoint)
   const SyntheticSequence& sequence = easySequence (GetParam());
   const GroundTruth& truth = sequence.truth[1];
   double largest = 0.0;
-  for (int v = 0; v < 180; ++v)
-    for (int u = 0; u < 240; ++u) {
+  for (int v = 0; v < height; ++v)
+    for (int u = 0; u < width; ++u) {
       const cv::Vec3f step = truth.scene_flow.at<cv::Vec3f> (v, u);
       const cv::Vec2f flow = truth.flow.at<cv::Vec2f> (v, u);
       if (!std::isfinite (flow[0]))
@@ -181,17 +182,17 @@ TEST_P (EveryScene, RigidBodiesMoveWithTheirPoses)
 {
   const SyntheticSequence& sequence = easySequence (GetParam());
   std::vector<double> largest (sequence.bodies.size(), 0.0);
-  for (int v = 0; v < 180; ++v)
-    for (int u = 0; u < 240; ++u) {
+  for (int v = 0; v < height; ++v)
+    for (int u = 0; u < width; ++u) {
       const int label = sequence.labels.at<int> (v, u);
       ASSERT_LT (label, static_cast<int> (sequence.bodies.size()));
       ASSERT_EQ (label < 0, std::isnan (sequence.frames[0].depth.at<float> (v, u)));
       if (label < 0)
         continue;
       const Eigen::Vector3d point = pointAt (sequence, u, v);
-      const cv::Vec3f step = sequence.truth[2].scene_flow.at<cv::Vec3f> (v, u);
+      const cv::Vec3f step = sequence.truth[1].scene_flow.at<cv::Vec3f> (v, u);
       const Eigen::Vector3d moved =
-          sequence.bodies[label].framek_from_frame0[2] * point - point;
+          sequence.bodies[label].framek_from_frame0[1] * point - point;
       const Eigen::Vector3d truth (step[0], step[1], step[2]);
       largest[label] =
           std::max (largest[label], (moved - truth).norm() / (1.0 + point.norm()));
@@ -202,8 +203,8 @@ TEST_P (EveryScene, RigidBodiesMoveWithTheirPoses)
     else
       EXPECT_GT (largest[label], 1e-3) << sequence.bodies[label].name;
   }
-  const RigidPose camera = sequence.frame0_from_framek[2].inverse();
-  const RigidPose room = sequence.bodies[0].framek_from_frame0[2];
+  const RigidPose camera = sequence.frame0_from_framek[1].inverse();
+  const RigidPose room = sequence.bodies[0].framek_from_frame0[1];
   EXPECT_LT ((camera.matrix() - room.matrix()).norm(), 1e-6f);
 }
 
@@ -235,7 +236,7 @@ TEST_P (EveryScene, DepthOfTheNextFrameIsThatOfTheMovedPoint)
         ++count;
         bad += !(std::abs (1.0 / there - z) < 5e-3 * z);
       });
-  EXPECT_GT (count, 0.7 * all);
+  EXPECT_GT (count, 0.5 * all);
   EXPECT_LT (bad, 0.02 * count);
 }
 
@@ -250,8 +251,8 @@ TEST_P (EveryScene, ThreadsDoNotChangeTheResult)
 {
   SequenceOptions options = smallOptions (GetParam());
   options.sensor = Sensor::Kinect;
-  options.width = 160;
-  options.height = 120;
+  options.width = 128;
+  options.height = 96;
   options.threads = 1;
   const SyntheticSequence one = synthesize (options);
   options.threads = 5;
@@ -273,11 +274,11 @@ TEST (Synthetic, VisibilityKnowsWhatIsHidden)
       synthesize (smallOptions (Scene::MultiBody, MotionSize::Large));
   const GroundTruth& truth = sequence.truth[1];
   int hidden = 0, explained = 0;
-  for (int v = 0; v < 180; ++v)
-    for (int u = 0; u < 240; ++u) {
+  for (int v = 0; v < height; ++v)
+    for (int u = 0; u < width; ++u) {
       const cv::Vec2f flow = truth.flow.at<cv::Vec2f> (v, u);
       const int x = cvRound (u + flow[0]), y = cvRound (v + flow[1]);
-      if (x < 1 || y < 1 || x > 238 || y > 178 ||
+      if (x < 1 || y < 1 || x > width - 2 || y > height - 2 ||
           truth.visible.at<unsigned char> (v, u) == 255)
         continue;
       const double z = sequence.frames[0].depth.at<float> (v, u) +
@@ -290,7 +291,7 @@ TEST (Synthetic, VisibilityKnowsWhatIsHidden)
       ++hidden;
       explained += nearest < z - 1e-3;
     }
-  EXPECT_GT (hidden, 300);
+  EXPECT_GT (hidden, 200);
   EXPECT_GT (explained, 0.98 * hidden);
 }
 

@@ -17,6 +17,7 @@ struct ViewHit {
   double depth{0.0};        ///< z, metres
   Eigen::Vector3d material; ///< surface coordinates; (u, v, 0) of a soft surface
   Eigen::Vector3d normal;   ///< unit length, towards the camera
+  bool back{false};         ///< of a soft surface: its other side is seen
 
   Eigen::Vector3d
   point (const Eigen::Vector3d& direction) const

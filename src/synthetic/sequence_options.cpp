@@ -70,8 +70,8 @@ SequenceOptions::isValid (std::string* why) const
       text << name << " = " << value << " must lie between " << low << " and " << high;
   };
   check ("scene", static_cast<int> (scene), 0, allScenes().size() - 1.0);
-  check ("width", width, 16, 8192);
-  check ("height", height, 16, 8192);
+  check ("width", width, 16, 4096);
+  check ("height", height, 16, 4096);
   check ("frames", frames, 1, 1000);
   check ("supersampling", supersampling, 1, 8);
   check ("motion_pixels", motion_pixels, 0, 200);

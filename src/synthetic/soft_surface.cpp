@@ -22,27 +22,81 @@ arc (double x, double& along, double& across)
   }
 }
 
+class SheetForm : public SoftForm {
+public:
+  SheetForm (double half_width, double phase, double start)
+  : bend_ (1.1 * std::sin (0.08 * phase + start) / half_width)
+  , twist_ (0.9 * std::sin (0.07 * phase + 0.4 - start) / half_width)
+  , ripple_ (start - 0.12 * phase)
+  {}
+
+  Eigen::Vector3d
+  place (double u, double v) const override
+  {
+    // An arc of constant length in u: isometric.
+    double along, across;
+    arc (bend_ * u, along, across);
+    const double ripple = 0.035 * std::sin (7.0 * u + 3.0 * v + ripple_);
+    const double z = u * across + ripple;
+    // The turn around the u axis grows with u.
+    const double c = std::cos (twist_ * u), s = std::sin (twist_ * u);
+    return {u * along, c * v - s * z, s * v + c * z};
+  }
+
+private:
+  double bend_, twist_; ///< radians per metre
+  double ripple_;       ///< radians
+};
+
+double
+bump (double u, double v, double u0, double v0, double width)
+{
+  return std::exp (-((u - u0) * (u - u0) + (v - v0) * (v - v0)) / (width * width));
+}
+
+class TorsoForm : public SoftForm {
+public:
+  TorsoForm (const Eigen::Vector2d& half, double phase, double start)
+  : half_ (half)
+  , breath_ (std::sin (0.08 * phase + start))
+  , belly_ (std::sin (0.09 * phase + start + 1.1))
+  , wave_ (start - 0.15 * phase)
+  , sway_ (0.07 * phase)
+  {}
+
+  Eigen::Vector3d
+  place (double u, double v) const override
+  {
+    constexpr double opening = 2.2; // radians to each side
+    const double angle = opening * u / half_.x();
+    double r = half_.x() / opening * (1.0 + 0.12 * std::cos (1.5 * v / half_.y()));
+    const double chest = 0.045 + 0.04 * breath_;
+    r += chest * (bump (u, v, -0.13, -0.18, 0.14) + bump (u, v, 0.13, -0.18, 0.14));
+    r += (0.04 + 0.055 * belly_) * bump (u, v, 0.02, 0.16, 0.2);
+    r += 0.01 * std::sin (9.0 * v + 6.0 * u + wave_);
+    const double sway = 0.06 * std::sin (sway_ + 2.0 * v);
+    // Towards the viewer is -z; wider than deep.
+    return {1.25 * r * std::sin (angle) + sway,
+            (1.0 + 0.08 * breath_) * v,
+            -r * std::cos (angle)};
+  }
+
+private:
+  Eigen::Vector2d half_;
+  double breath_, belly_; ///< -1 .. 1
+  double wave_, sway_;    ///< radians
+};
+
 class BendingSheet : public SoftSurface {
 public:
   BendingSheet (const Eigen::Vector2d& half, double start)
   : half_ (half), start_ (start)
   {}
 
-  Eigen::Vector3d
-  place (double u, double v, double phase) const override
+  std::unique_ptr<SoftForm>
+  formAt (double phase) const override
   {
-    const double bend = 1.1 * std::sin (0.08 * phase + start_);
-    const double twist = 0.9 * std::sin (0.07 * phase + 0.4 - start_);
-    const double slide = 0.12 * phase;
-    // An arc of constant length in u: isometric.
-    double along, across;
-    arc (bend * u / half_.x(), along, across);
-    const double ripple = 0.035 * std::sin (7.0 * u + 3.0 * v - slide + start_);
-    const Eigen::Vector3d flat (u * along, v, u * across + ripple);
-    // The turn around the u axis grows with u.
-    const double c = std::cos (twist * u / half_.x());
-    const double s = std::sin (twist * u / half_.x());
-    return {flat.x(), c * flat.y() - s * flat.z(), s * flat.y() + c * flat.z()};
+    return std::make_unique<SheetForm> (half_.x(), phase, start_);
   }
 
   Eigen::Vector2d
@@ -56,34 +110,16 @@ private:
   double start_;
 };
 
-double
-bump (double u, double v, double u0, double v0, double width)
-{
-  return std::exp (-((u - u0) * (u - u0) + (v - v0) * (v - v0)) / (width * width));
-}
-
 class BreathingTorso : public SoftSurface {
 public:
   BreathingTorso (const Eigen::Vector2d& half, double start)
   : half_ (half), start_ (start)
   {}
 
-  Eigen::Vector3d
-  place (double u, double v, double phase) const override
+  std::unique_ptr<SoftForm>
+  formAt (double phase) const override
   {
-    const double breath = std::sin (0.08 * phase + start_);
-    const double belly = std::sin (0.09 * phase + start_ + 1.1);
-    const double wave = std::sin (5.0 * v + 4.0 * u - 0.15 * phase + start_);
-    const double angle = 2.2 * u / half_.x();
-    double r = half_.x() / 2.2 * (1.0 + 0.12 * std::cos (1.5 * v / half_.y()));
-    r += (0.03 + 0.035 * breath) * bump (u, v, -0.13, -0.18, 0.17);
-    r += (0.03 + 0.035 * breath) * bump (u, v, 0.13, -0.18, 0.17);
-    r += (0.03 + 0.05 * belly) * bump (u, v, 0.02, 0.16, 0.2);
-    r += 0.008 * wave;
-    const double stretch = 1.0 + 0.08 * breath;
-    const double sway = 0.06 * std::sin (0.07 * phase + 2.0 * v);
-    // Towards the viewer is -z; wider than deep.
-    return {1.25 * r * std::sin (angle) + sway, stretch * v, -r * std::cos (angle)};
+    return std::make_unique<TorsoForm> (half_, phase, start_);
   }
 
   Eigen::Vector2d

@@ -4,22 +4,18 @@
 #include <Eigen/LU>
 
 #include <synthetic/part_view.h>
+#include <synthetic/start_mesh.h>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pcl_msf {
 namespace synthetic {
 namespace {
 
-constexpr int cells = 48;     ///< of the start mesh, per axis
-constexpr double bin = 8.0;   ///< pixels
-constexpr double margin = .4; ///< how far beyond its triangle a start is tried
+constexpr double step = 1e-6;      ///< of differences, metres: tangents to about 1e-6
+constexpr double accuracy = 1e-11; ///< of hits, metres
 
-using Triangle = std::array<int, 3>;
-
-/** A place on the surface and its tangents, camera coordinates. */
+/** A place on the surface and its tangents. */
 struct Tangents {
   Eigen::Vector3d point, du, dv;
 
@@ -30,21 +26,28 @@ struct Tangents {
   }
 };
 
+Tangents
+tangentsOf (const SoftForm& form, double u, double v)
+{
+  const Eigen::Vector3d point = form.place (u, v);
+  return {point,
+          (form.place (u + step, v) - point) / step,
+          (form.place (u, v + step) - point) / step};
+}
+
 class SoftView : public PartView {
 public:
   SoftView (const SoftSurface& surface,
             const Eigen::Isometry3d& camera_from_part,
             const PinholeCamera& camera,
             double phase)
-  : surface_ (surface)
+  : half_ (surface.halfSize())
+  , form_ (surface.formAt (phase))
+  , rest_form_ (surface.formAt (0.0))
   , rotation_ (camera_from_part.linear())
   , translation_ (camera_from_part.translation())
-  , camera_ (camera)
-  , phase_ (phase)
-  {
-    makeMesh();
-    fillBins();
-  }
+  , mesh_ (*form_, half_, rotation_, translation_, camera)
+  {}
 
   bool
   cast (const Eigen::Vector3d& direction, double limit, ViewHit& hit) const override;
@@ -63,176 +66,73 @@ public:
   Eigen::Vector3d
   place (const Eigen::Vector3d& material) const override
   {
-    return rotation_ * surface_.place (material.x(), material.y(), phase_) +
-           translation_;
+    return rotation_ * form_->place (material.x(), material.y()) + translation_;
   }
 
   Eigen::Vector3d
   restNormal (const ViewHit& hit) const override
   {
-    constexpr double h = 1e-5;
-    const double u = hit.material.x(), v = hit.material.y();
-    const Eigen::Vector3d p = surface_.place (u, v, 0.0);
-    const Eigen::Vector3d du = surface_.place (u + h, v, 0.0) - p;
-    const Eigen::Vector3d n = du.cross (surface_.place (u, v + h, 0.0) - p);
-    const bool back = hit.normal.dot (tangents (u, v).normal()) < 0.0;
-    return (back ? -n : n).normalized();
+    const Eigen::Vector3d normal =
+        tangentsOf (*rest_form_, hit.material.x(), hit.material.y()).normal();
+    return hit.back ? -normal : normal;
   }
 
   cv::Rect2d
   bounds () const override
   {
-    return bounds_;
+    return mesh_.bounds();
   }
 
 private:
-  void
-  makeMesh ();
-
-  void
-  fillBins ();
-
-  cv::Rect2d
-  triangleBounds (const Triangle& triangle) const;
-
-  bool
-  startIn (const Triangle& triangle,
-           const Eigen::Vector3d& direction,
-           Eigen::Vector3d& uvs) const;
-
   bool
   refine (const Eigen::Vector3d& direction, Eigen::Vector3d& uvs) const;
 
+  bool
+  isOnSurface (const Eigen::Vector3d& uvs) const
+  {
+    return std::abs (uvs.x()) <= half_.x() && std::abs (uvs.y()) <= half_.y();
+  }
+
+  /** In camera coordinates. */
   Tangents
   tangents (double u, double v) const
   {
-    constexpr double h = 1e-6; // central: exact to 1e-11
-    const auto at = [&] (double a, double b) { return surface_.place (a, b, phase_); };
-    return {rotation_ * at (u, v) + translation_,
-            rotation_ * (at (u + h, v) - at (u - h, v)) / (2.0 * h),
-            rotation_ * (at (u, v + h) - at (u, v - h)) / (2.0 * h)};
+    const Tangents t = tangentsOf (*form_, u, v);
+    return {rotation_ * t.point + translation_, rotation_ * t.du, rotation_ * t.dv};
   }
 
-  const SoftSurface& surface_;
+  Eigen::Vector2d half_;
+  std::unique_ptr<SoftForm> form_, rest_form_;
   Eigen::Matrix3d rotation_;
   Eigen::Vector3d translation_;
-  PinholeCamera camera_;
-  double phase_;
-  std::vector<Eigen::Vector3d> points_; ///< of the mesh, camera coordinates
-  std::vector<Eigen::Vector2d> uv_;
-  std::vector<Triangle> triangles_;
-  cv::Rect2d bounds_;
-  int columns_{0}, rows_{0};
-  std::vector<std::vector<int>> bins_; ///< triangles that may cover an image square
+  StartMesh mesh_;
 };
 
-void
-SoftView::makeMesh()
-{
-  const Eigen::Vector2d half = surface_.halfSize();
-  const int side = cells + 1;
-  for (int j = 0; j < side; ++j)
-    for (int i = 0; i < side; ++i) {
-      uv_.emplace_back (half.x() * (2.0 * i / cells - 1.0),
-                        half.y() * (2.0 * j / cells - 1.0));
-      points_.push_back (place ({uv_.back().x(), uv_.back().y(), 0.0}));
-    }
-  for (int j = 0; j < cells; ++j)
-    for (int i = 0; i < cells; ++i) {
-      const int a = j * side + i;
-      triangles_.push_back ({a, a + 1, a + side});
-      triangles_.push_back ({a + 1, a + side + 1, a + side});
-    }
-}
-
-cv::Rect2d
-SoftView::triangleBounds (const Triangle& triangle) const
-{
-  Eigen::Vector2d low (1e9, 1e9), high (-1e9, -1e9);
-  for (const int i : triangle) {
-    if (points_[i].z() < 1e-3)
-      return {};
-    const Eigen::Vector2d p = camera_.project (points_[i]);
-    low = low.cwiseMin (p);
-    high = high.cwiseMax (p);
-  }
-  const Eigen::Vector2d grown = margin * (high - low) + Eigen::Vector2d (2.0, 2.0);
-  low -= grown;
-  high += grown;
-  return {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
-}
-
-void
-SoftView::fillBins()
-{
-  std::vector<cv::Rect2d> boxes;
-  for (const Triangle& triangle : triangles_) {
-    boxes.push_back (triangleBounds (triangle));
-    bounds_ = bounds_.empty() ? boxes.back() : bounds_ | boxes.back();
-  }
-  // What is far outside of any image gets no bins of its own.
-  const double size = 3.0 * std::max (camera_.cx, camera_.cy) + 100.0;
-  bounds_ &= cv::Rect2d (-size, -size, 3.0 * size, 3.0 * size);
-  columns_ = static_cast<int> (bounds_.width / bin) + 1;
-  rows_ = static_cast<int> (bounds_.height / bin) + 1;
-  bins_.resize (static_cast<std::size_t> (columns_) * rows_);
-  const auto index = [] (double x, double low, int count) {
-    return std::clamp (static_cast<int> ((x - low) / bin), 0, count - 1);
-  };
-  for (std::size_t t = 0; t < boxes.size(); ++t) {
-    const cv::Rect2d box = boxes[t] & bounds_;
-    if (box.empty())
-      continue;
-    const int right = index (box.x + box.width, bounds_.x, columns_);
-    const int bottom = index (box.y + box.height, bounds_.y, rows_);
-    for (int r = index (box.y, bounds_.y, rows_); r <= bottom; ++r)
-      for (int c = index (box.x, bounds_.x, columns_); c <= right; ++c)
-        bins_[r * columns_ + c].push_back (static_cast<int> (t));
-  }
-}
-
-bool
-SoftView::startIn (const Triangle& triangle,
-                   const Eigen::Vector3d& direction,
-                   Eigen::Vector3d& uvs) const
-{
-  const Eigen::Vector3d& a = points_[triangle[0]];
-  const Eigen::Vector3d ab = points_[triangle[1]] - a, ac = points_[triangle[2]] - a;
-  const Eigen::Vector3d side = direction.cross (ac);
-  const double determinant = ab.dot (side);
-  if (determinant == 0.0)
-    return false;
-  const double b = -a.dot (side) / determinant;
-  const Eigen::Vector3d across = ab.cross (a);
-  const double c = direction.dot (across) / determinant;
-  if (b < -margin || c < -margin || b + c > 1.0 + margin)
-    return false;
-  const Eigen::Vector2d uv = uv_[triangle[0]] +
-                             b * (uv_[triangle[1]] - uv_[triangle[0]]) +
-                             c * (uv_[triangle[2]] - uv_[triangle[0]]);
-  uvs = {uv.x(), uv.y(), ac.dot (across) / determinant};
-  return uvs.z() > 0.0;
-}
-
-/** Newton's method for place (u, v) = s direction. */
+/** Newton's method for place (u, v) = s direction; the derivatives stay when the rest
+ * is small. */
 bool
 SoftView::refine (const Eigen::Vector3d& direction, Eigen::Vector3d& uvs) const
 {
-  const double reach = 3.0 * surface_.halfSize().maxCoeff() / cells;
   const Eigen::Vector2d start = uvs.head<2>();
-  for (int i = 0; i < 8; ++i) {
-    const Tangents t = tangents (uvs.x(), uvs.y());
-    const Eigen::Vector3d error = t.point - uvs.z() * direction;
-    if (error.squaredNorm() < 1e-22)
+  Eigen::Matrix3d inverse = Eigen::Matrix3d::Zero();
+  double last = 1e9;
+  for (int i = 0; i < 10; ++i) {
+    const Eigen::Vector3d point = place (uvs);
+    const double error = (point - uvs.z() * direction).norm();
+    if (error < accuracy)
       return true;
-    Eigen::Matrix3d jacobian;
-    jacobian << t.du, t.dv, -direction;
-    const double determinant = jacobian.determinant();
-    if (std::abs (determinant) < 1e-9)
+    if (i == 0 || error > 1e-6 || error > 0.1 * last) {
+      const Tangents t = tangents (uvs.x(), uvs.y());
+      Eigen::Matrix3d jacobian;
+      jacobian << t.du, t.dv, -direction;
+      if (std::abs (jacobian.determinant()) < 1e-9)
+        return false;
+      inverse = jacobian.inverse();
+    }
+    uvs -= inverse * (point - uvs.z() * direction);
+    if (!((uvs.head<2>() - start).norm() < 1.5 * mesh_.cellSize()))
       return false;
-    uvs -= jacobian.inverse() * error;
-    if (!((uvs.head<2>() - start).norm() < reach))
-      return false;
+    last = error;
   }
   return false;
 }
@@ -240,33 +140,33 @@ SoftView::refine (const Eigen::Vector3d& direction, Eigen::Vector3d& uvs) const
 bool
 SoftView::cast (const Eigen::Vector3d& direction, double limit, ViewHit& hit) const
 {
-  const Eigen::Vector2d pixel = camera_.project (direction);
-  const double x = (pixel.x() - bounds_.x) / bin, y = (pixel.y() - bounds_.y) / bin;
-  if (!(x >= 0.0 && y >= 0.0 && x < columns_ && y < rows_))
-    return false;
-  const Eigen::Vector2d half = surface_.halfSize();
+  thread_local std::vector<Eigen::Vector3d> starts, tried;
+  mesh_.startsFor (direction, starts);
+  tried.clear();
   bool found = false;
-  Eigen::Vector3d best (0.0, 0.0, limit);
-  for (const int t : bins_[static_cast<int> (y) * columns_ + static_cast<int> (x)]) {
-    Eigen::Vector3d uvs;
-    if (!startIn (triangles_[t], direction, uvs) || uvs.z() > 1.05 * best.z())
-      continue;
+  for (Eigen::Vector3d uvs : starts) {
+    if (uvs.z() > 1.05 * limit)
+      break;
     // Neighbouring triangles lead to the same place.
-    const double same = 0.5 * half.maxCoeff() / cells;
-    if (found && (uvs - best).norm() < same)
+    bool same = false;
+    for (const Eigen::Vector3d& other : tried)
+      same = same || (uvs - other).norm() < 0.25 * mesh_.cellSize();
+    if (same || !refine (direction, uvs))
       continue;
-    if (!refine (direction, uvs) || !(uvs.z() > 0.0 && uvs.z() < best.z()) ||
-        std::abs (uvs.x()) > half.x() || std::abs (uvs.y()) > half.y())
+    tried.push_back (uvs);
+    if (!(uvs.z() > 0.0 && uvs.z() < limit) || !isOnSurface (uvs))
       continue;
-    best = uvs;
+    limit = uvs.z();
+    hit.depth = limit;
+    hit.material = {uvs.x(), uvs.y(), 0.0};
     found = true;
   }
   if (!found)
     return false;
-  hit.depth = best.z();
-  hit.material = {best.x(), best.y(), 0.0};
-  const Eigen::Vector3d n = tangents (best.x(), best.y()).normal();
-  hit.normal = n.dot (direction) > 0.0 ? -n : n;
+  hit.normal = tangents (hit.material.x(), hit.material.y()).normal();
+  hit.back = hit.normal.dot (direction) > 0.0;
+  if (hit.back)
+    hit.normal = -hit.normal;
   return true;
 }
 
