@@ -62,8 +62,8 @@ template <typename F>
 void
 forEachVisible (const GroundTruth& truth, F&& f)
 {
-  for (int v = 0; v < truth.flow.rows; ++v)
-    for (int u = 0; u < truth.flow.cols; ++u) {
+  for (int v = 0; v + 1 < truth.flow.rows; ++v)
+    for (int u = 0; u + 1 < truth.flow.cols; ++u) {
       const cv::Vec2f flow = truth.flow.at<cv::Vec2f> (v, u);
       const double x = u + flow[0], y = v + flow[1];
       if (truth.visible.at<unsigned char> (v, u) == 255 && x >= 0 && y >= 0 &&
