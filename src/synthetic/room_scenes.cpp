@@ -120,9 +120,10 @@ buildBreathing (Chance& chance)
   SceneModel scene;
   addRoom (scene, chance);
   addFurniture (scene, chance);
+  const double side = chance.sign();
   const Motion motion = swing (placed (0, 0.05, 1.6, {0, 10.0 * chance.sign(), 0}),
-                               0.005 * chance.direction(),
-                               0.012 * chance.direction(),
+                               {0.006 * side, chance.uniform (-.003, .003), 0.0},
+                               {chance.uniform (-0.006, 0.006), 0.012 * side, 0.0},
                                0.0);
   const int body = scene.addBody ("torso", motion, false);
   Part& part = scene.addPart (body, placed (0, 0, 0), nullptr, anyTexture (chance));

@@ -46,14 +46,19 @@ rateFor (const SceneModel& scene,
                             scale * (camera.cy + 0.5) - 0.5};
   const FrameView start (scene, small, size, 0.0);
   const std::vector<ViewHit> hits = castPixels (start, threads);
-  double rate = wanted / 4.0;
-  for (int i = 0; i < 6; ++i) {
+  double rate = wanted / 4.0, best_rate = rate, least_error = 1e9;
+  for (int i = 0; i < 8; ++i) {
     const FrameView next (scene, small, size, rate);
     const double motion = meanMotion (scene, start, hits, next) * 640.0 / width;
-    rate = std::clamp (
-        rate * std::clamp (wanted / std::max (motion, 1e-9), 0.3, 3.0), 1e-4, 15.0);
+    const double error = std::abs (motion - wanted);
+    if (error < least_error) {
+      least_error = error;
+      best_rate = rate;
+    }
+    const double factor = wanted / std::max (motion, 1e-9);
+    rate = std::clamp (rate * std::clamp (factor, 0.5, 2.0), 1e-4, 15.0);
   }
-  return rate;
+  return best_rate;
 }
 
 /** A scene with what its frames share, while it is drawn. */
