@@ -109,7 +109,9 @@ motionOverlay (const cv::Mat& image, const SceneFlow& scene_flow)
                          segment.body >= 0 && segment.body < undetermined;
       label = known ? ranks[segment.body] : undetermined;
     }
-  return overlay (image, groups, [undetermined] (int group) -> cv::Vec3b {
+  // Colours stand out on grey only.
+  const cv::Mat gray = image.empty() ? image : asGray (image);
+  return overlay (gray, groups, [undetermined] (int group) -> cv::Vec3b {
     if (group == undetermined)
       return {0, 0, 0};
     return group == 0 ? cv::Vec3b (200, 200, 200) : labelColor (group - 1);
