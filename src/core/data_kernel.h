@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <cstdint>
+
+// The per-pixel arithmetic of Eq. 6 to 8, on plain arrays: no Eigen types here, so that
+// this file's functions can be compiled for several instruction sets.
+
+namespace pcl_msf {
+namespace kernel {
+
+/** \brief The current frame's level: intensity and inverse depth, interleaved. */
+struct Image {
+  const float* texels; ///< (I, W) per pixel; W = 0: no depth
+  int width;
+  int height;
+  float fx, fy, cx, cy; ///< pixels
+};
+
+/** \brief A range of reference points, see SegmentPixels. */
+struct Points {
+  const float *x, *y, *z;
+  const float* intensity;
+  const float *nx, *ny, *nz;
+  const float *brightness_scale, *icp_scale;
+  int count;
+};
+
+/** \brief What is frozen between linearizations, per point. */
+struct Correspondences {
+  float* plane_offset;  ///< n . p_corr, metres
+  std::uint8_t* active; ///< bit 0: brightness, bit 1: ICP
+};
+
+enum ActiveBits : std::uint8_t {
+  kBrightness = 1,
+  kIcp = 2,
+  kOccluded = 4,
+  kOutside = 8
+};
+
+/** \brief A segment's motion: q = R p + t, and o = R c + t for its centroid c. */
+struct Motion {
+  double rotation[9]; ///< row major
+  double translation[3];
+  double origin[3];
+};
+
+/** \brief The loss and the rules for visibility. */
+struct Rules {
+  float huber;              ///< epsilon of Eq. 7, standard deviations; < 0: L2
+  float hidden_cost;        ///< of an inactive residual
+  float brightness_weight;  ///< alpha / number of residuals
+  float icp_weight;         ///< beta / number of residuals
+  float depth_tolerance;    ///< absolute part, 1 / metres, of the z-test
+  float relative_tolerance; ///< relative part
+  float truncation;         ///< cost limit per residual of probe ()
+};
+
+/** \brief Sums over points: A = sum w J' J (upper triangle, row by row), b = sum w J'
+ * r, with J by a left perturbation (rotation about the origin o, translation), and the
+ * robust costs of both terms. */
+struct Sums {
+  double a[21];
+  double b[6];
+  double brightness_cost;
+  double icp_cost;
+};
+
+/** \brief Renews the correspondences and linearizes: adds to sums. */
+void
+linearize (const Points& points,
+           const Image& image,
+           const Motion& motion,
+           const Rules& rules,
+           const Correspondences& state,
+           Sums& sums);
+
+/** \brief Linearizes at kept correspondences. */
+void
+linearizeKept (const Points& points,
+               const Image& image,
+               const Motion& motion,
+               const Rules& rules,
+               const Correspondences& state,
+               Sums& sums);
+
+/** \brief The costs at kept correspondences: adds to both costs. */
+void
+cost (const Points& points,
+      const Image& image,
+      const Motion& motion,
+      const Rules& rules,
+      const Correspondences& state,
+      Sums& sums);
+
+/** \brief Truncated costs with fresh correspondences and visibility, for comparing
+ * poses far from each other; keeps nothing. */
+void
+probe (const Points& points,
+       const Image& image,
+       const Motion& motion,
+       const Rules& rules,
+       Sums& sums);
+
+/** \brief As linearizeKept, in double precision: for checking the above. */
+void
+linearizeKeptInDouble (const Points& points,
+                       const Image& image,
+                       const Motion& motion,
+                       const Rules& rules,
+                       const Correspondences& state,
+                       Sums& sums);
+
+} // namespace kernel
+} // namespace pcl_msf

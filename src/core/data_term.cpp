@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/data_term.h"
+
+#include <algorithm>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr double kHiddenSigmas =
+    4.0; // a hidden point costs what a misfit like this does
+constexpr double kOcclusionSigmas = 5.0;
+
+kernel::Motion
+kernelMotion (const RigidPose& pose, const Eigen::Vector3d& centroid)
+{
+  const Eigen::Matrix3d r = pose.rotation();
+  const Eigen::Vector3d t = pose.translation();
+  const Eigen::Vector3d o = r * centroid + t;
+  kernel::Motion m{};
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j)
+      m.rotation[3 * i + j] = r (i, j);
+    m.translation[i] = t[i];
+    m.origin[i] = o[i];
+  }
+  return m;
+}
+
+/** Sums about a left perturbation at the centroid -> pose parameters. */
+void
+toPoseParameters (const kernel::Sums& sums,
+                  const RigidPose& pose,
+                  const Eigen::Vector3d& centroid,
+                  SegmentQuadratic& out)
+{
+  Matrix6 a;
+  int at = 0;
+  for (int r = 0; r < 6; ++r)
+    for (int c = r; c < 6; ++c)
+      a (r, c) = a (c, r) = sums.a[at++];
+  const Eigen::Map<const Vector6> b (sums.b);
+  const Eigen::Matrix3d j =
+      leftJacobian ({pose.parameters[0], pose.parameters[1], pose.parameters[2]});
+  Matrix6 basis = Matrix6::Identity();
+  basis.topLeftCorner<3, 3>() = j;
+  basis.bottomLeftCorner<3, 3>() = -skew (pose.rotation() * centroid) * j;
+  out.information = basis.transpose() * a * basis;
+  out.gradient = basis.transpose() * b;
+}
+
+} // namespace
+
+kernel::Rules
+makeRules (const EnergyParameters& energy,
+           const SegmentPixels& pixels,
+           const NoiseModel& noise,
+           double relative_tolerance)
+{
+  double huber = energy.huber_threshold;
+  if (energy.loss == LossType::L2)
+    huber = -1.0;
+  // A zero threshold is the l1 norm; the limit of Eq. 7 divided by epsilon.
+  constexpr double kTiny = 1e-3;
+  double scale = 1.0;
+  if (energy.loss == LossType::L1 || huber == 0.0) {
+    huber = kTiny;
+    scale = 1.0 / kTiny;
+  }
+  kernel::Rules rules{};
+  rules.huber = static_cast<float> (huber);
+  const double hidden = huber < 0.0 || huber >= kHiddenSigmas
+                            ? 0.5 * kHiddenSigmas * kHiddenSigmas
+                            : huber * (kHiddenSigmas - 0.5 * huber);
+  rules.hidden_cost = static_cast<float> (hidden);
+  rules.truncation = static_cast<float> (hidden);
+  rules.brightness_weight = static_cast<float> (scale * energy.brightness_weight /
+                                                std::max (1, pixels.brightness_count));
+  rules.icp_weight =
+      static_cast<float> (scale * energy.icp_weight / std::max (1, pixels.icp_count));
+  rules.depth_tolerance = static_cast<float> (kOcclusionSigmas * noise.inverse_depth);
+  rules.relative_tolerance = static_cast<float> (relative_tolerance);
+  return rules;
+}
+
+Texture::Texture (const FrameLevel& level)
+: texels_ (level.height(), level.width(), CV_32FC2), camera_ (level.camera)
+{
+  for (int y = 0; y < level.height(); ++y) {
+    const float* w = level.inverse_depth.ptr<float> (y);
+    const float* i = level.intensity.empty() ? nullptr : level.intensity.ptr<float> (y);
+    cv::Vec2f* out = texels_.ptr<cv::Vec2f> (y);
+    for (int x = 0; x < level.width(); ++x)
+      out[x] = {i ? i[x] : 0.0f, w[x]};
+  }
+}
+
+kernel::Image
+Texture::image() const
+{
+  return {texels_.ptr<float>(),
+          texels_.cols,
+          texels_.rows,
+          static_cast<float> (camera_.fx),
+          static_cast<float> (camera_.fy),
+          static_cast<float> (camera_.cx),
+          static_cast<float> (camera_.cy)};
+}
+
+DataTerm::DataTerm (const SegmentPixels& pixels,
+                    const Texture& texture,
+                    const kernel::Rules& rules,
+                    int threads)
+: pixels_ (pixels)
+, image_ (texture.image())
+, rules_ (rules)
+, threads_ (threads)
+, plane_offset_ (pixels.pixel.size(), 0.0f)
+, active_ (pixels.pixel.size(), 0)
+, quadratics_ (pixels.segments())
+{}
+
+kernel::Points
+DataTerm::points (int k) const
+{
+  const int at = pixels_.begin[k];
+  return {pixels_.x.data() + at,
+          pixels_.y.data() + at,
+          pixels_.z.data() + at,
+          pixels_.intensity.data() + at,
+          pixels_.nx.data() + at,
+          pixels_.ny.data() + at,
+          pixels_.nz.data() + at,
+          pixels_.brightness_scale.data() + at,
+          pixels_.icp_scale.data() + at,
+          pixels_.size (k)};
+}
+
+void
+DataTerm::evaluate (int k, const RigidPose& pose, Pass pass)
+{
+  const kernel::Motion motion = kernelMotion (pose, pixels_.centroid[k]);
+  const int at = pixels_.begin[k];
+  const kernel::Correspondences state{plane_offset_.data() + at, active_.data() + at};
+  kernel::Sums sums{};
+  if (pass == Pass::Cost)
+    kernel::cost (points (k), image_, motion, rules_, state, sums);
+  else if (pass == Pass::Linearize)
+    kernel::linearize (points (k), image_, motion, rules_, state, sums);
+  else if (double_precision_)
+    kernel::linearizeKeptInDouble (points (k), image_, motion, rules_, state, sums);
+  else
+    kernel::linearizeKept (points (k), image_, motion, rules_, state, sums);
+  SegmentQuadratic& out = quadratics_[k];
+  out.brightness_cost = sums.brightness_cost;
+  out.icp_cost = sums.icp_cost;
+  if (pass != Pass::Cost)
+    toPoseParameters (sums, pose, pixels_.centroid[k], out);
+}
+
+void
+DataTerm::sweep (const MotionState& state, Pass pass)
+{
+#pragma omp parallel for schedule(dynamic, 8) num_threads(threads_)
+  for (int k = 0; k < pixels_.segments(); ++k)
+    evaluate (k, state.poseOf (k), pass);
+}
+
+double
+DataTerm::probe (int k, const RigidPose& pose) const
+{
+  kernel::Sums sums{};
+  kernel::probe (
+      points (k), image_, kernelMotion (pose, pixels_.centroid[k]), rules_, sums);
+  return sums.brightness_cost + sums.icp_cost;
+}
+
+} // namespace pcl_msf

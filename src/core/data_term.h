@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/data_kernel.h"
+#include "core/motion_state.h"
+#include "core/segment_pixels.h"
+#include <pcl_msf/parameters.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief What a segment's points say about its pose at the point of linearization. */
+struct SegmentQuadratic {
+  Matrix6 information{Matrix6::Zero()}; ///< A = sum w J' J, pose parameters
+  Vector6 gradient{Vector6::Zero()};    ///< b = sum w J' r
+  double brightness_cost{0.0};
+  double icp_cost{0.0};
+  double
+  cost () const
+  {
+    return brightness_cost + icp_cost;
+  }
+};
+
+/** \brief Which rules decide about visibility and loss on a level. */
+kernel::Rules
+makeRules (const EnergyParameters& energy,
+           const SegmentPixels& pixels,
+           const NoiseModel& noise,
+           double relative_tolerance);
+
+/** \brief The frame's level as the kernels read it: intensity and inverse depth. */
+class Texture {
+public:
+  explicit Texture (const FrameLevel& level);
+  kernel::Image
+  image () const;
+
+private:
+  cv::Mat texels_; ///< CV_32FC2
+  PinholeCamera camera_;
+};
+
+/** \brief Brightness and projective ICP terms (Eq. 6 to 9) of one pair of frames on one
+ * level: one sweep over all points, parallel over segments.
+ *
+ * Deterministic: each segment is summed by one thread, in raster order.
+ */
+class DataTerm {
+public:
+  enum class Pass { Linearize, LinearizeKept, Cost };
+
+  DataTerm (const SegmentPixels& pixels,
+            const Texture& texture,
+            const kernel::Rules& rules,
+            int threads);
+
+  /** \brief Evaluates all segments at a state's poses. */
+  void
+  sweep (const MotionState& state, Pass pass);
+
+  const SegmentQuadratic&
+  of (int segment) const
+  {
+    return quadratics_[segment];
+  }
+
+  const SegmentPixels&
+  pixels () const
+  {
+    return pixels_;
+  }
+
+  /** \brief Bits of kernel::ActiveBits per point. */
+  const std::vector<std::uint8_t>&
+  active () const
+  {
+    return active_;
+  }
+  const std::vector<float>&
+  planeOffsets () const
+  {
+    return plane_offset_;
+  }
+  const kernel::Rules&
+  rules () const
+  {
+    return rules_;
+  }
+  kernel::Image
+  image () const
+  {
+    return image_;
+  }
+
+  /** \brief Use double precision in LinearizeKept passes (tests). */
+  void
+  setDoublePrecision (bool on)
+  {
+    double_precision_ = on;
+  }
+
+  /** \brief Mean truncated cost per residual of a segment at a pose, with fresh
+   * visibility. Thread-safe. */
+  double
+  probe (int segment, const RigidPose& pose) const;
+
+private:
+  kernel::Points
+  points (int segment) const;
+  void
+  evaluate (int segment, const RigidPose& pose, Pass pass);
+
+  const SegmentPixels& pixels_;
+  kernel::Image image_;
+  kernel::Rules rules_;
+  int threads_;
+  bool double_precision_{false};
+  std::vector<float> plane_offset_;
+  std::vector<std::uint8_t> active_;
+  std::vector<SegmentQuadratic> quadratics_;
+};
+
+} // namespace pcl_msf

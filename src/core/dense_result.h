@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/data_term.h"
+#include "core/motion_state.h"
+#include <pcl_msf/scene_flow.h>
+
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief Fills in what every point does: points, displacement, flow, visibility.
+ * \param data of level 0, linearized at the state
+ * \param result with labels and the segments' motions and status */
+void
+fillPoints (const DataTerm& data,
+            const PinholeCamera& target_camera,
+            int threads,
+            SceneFlow& result);
+
+/** \brief Fills in the segments' motions, information, status, and the bodies.
+ * \param residual_scale energy times this = sum of 1/2 (residual / sigma)^2 */
+void
+fillSegments (const DataTerm& data,
+              const std::vector<SegmentLink>& links,
+              const MotionState& state,
+              double residual_scale,
+              SceneFlow& result);
+
+} // namespace pcl_msf

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/flow_hypotheses.h"
+
+#include <opencv2/video/tracking.hpp>
+
+#include "core/rigid_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr int kMinSamples = 6;
+constexpr int kMaxBodies = 6;
+constexpr int kVoters = 4;             // samples per segment in the search for bodies
+constexpr double kVoteLimit = 3.0;     // pixels
+constexpr double kSmallestBody = 0.02; // share of all voters
+
+/** Samples of all segments; those of segment k are [begin[k], begin[k + 1]). */
+struct SampleTable {
+  std::vector<FlowSample> samples;
+  std::vector<int> begin;
+};
+
+SampleTable
+lift (const cv::Mat& flow,
+      const RgbdFrame& current,
+      const SegmentPixels& pixels,
+      int level)
+{
+  const cv::Mat& target = current.levels()[0].inverse_depth;
+  const int width = current.levels()[level].width();
+  SampleTable table;
+  table.begin.push_back (0);
+  table.samples.reserve (pixels.pixel.size());
+  for (int k = 0; k < pixels.segments(); ++k) {
+    for (int i = pixels.begin[k]; i < pixels.begin[k + 1]; ++i) {
+      const int x = std::min ((pixels.pixel[i] % width) << level, flow.cols - 1);
+      const int y = std::min ((pixels.pixel[i] / width) << level, flow.rows - 1);
+      const cv::Vec2f f = flow.at<cv::Vec2f> (y, x);
+      const float u = static_cast<float> (x) + f[0];
+      const float v = static_cast<float> (y) + f[1];
+      if (!(u >= 0.0f && v >= 0.0f && u <= static_cast<float> (flow.cols - 1) &&
+            v <= static_cast<float> (flow.rows - 1)))
+        continue;
+      const float w = target.at<float> (cvRound (v), cvRound (u));
+      table.samples.push_back ({pixels.x[i], pixels.y[i], pixels.z[i], u, v, w});
+    }
+    table.begin.push_back (static_cast<int> (table.samples.size()));
+  }
+  return table;
+}
+
+/** Every segment's vote: a few of its samples. */
+std::vector<FlowSample>
+drawVoters (const SampleTable& table)
+{
+  std::vector<FlowSample> voters;
+  for (std::size_t k = 0; k + 1 < table.begin.size(); ++k) {
+    const int n = table.begin[k + 1] - table.begin[k];
+    const int take = std::min (n, kVoters);
+    for (int i = 0; i < take; ++i)
+      voters.push_back (
+          table.samples[table.begin[k] + static_cast<int> ((i + 0.5) * n / take)]);
+  }
+  return voters;
+}
+
+RigidPose
+bestSupported (const std::vector<FlowSample>& voters,
+               const std::vector<RigidPose>& candidates,
+               const RigidFitOptions& options,
+               int threads)
+{
+  std::vector<double> errors (candidates.size());
+  const int n = static_cast<int> (candidates.size());
+#pragma omp parallel for schedule(static) num_threads(threads)
+  for (int c = 0; c < n; ++c)
+    errors[c] = meanTruncatedError (voters.data(),
+                                    static_cast<int> (voters.size()),
+                                    candidates[c],
+                                    options,
+                                    kVoteLimit);
+  const auto best = std::min_element (errors.begin(), errors.end());
+  return candidates[best - errors.begin()];
+}
+
+/** Motions shared by many voters: the best supported one, refined; then the best of
+ * those that it leaves unexplained, and so on. */
+std::vector<RigidPose>
+findBodies (const SampleTable& table,
+            const std::vector<RigidPose>& candidates,
+            const RigidFitOptions& options,
+            int threads)
+{
+  std::vector<FlowSample> voters = drawVoters (table);
+  const std::size_t all = voters.size();
+  std::vector<RigidPose> bodies;
+  while (static_cast<int> (bodies.size()) < kMaxBodies && !candidates.empty() &&
+         voters.size() > kSmallestBody * all) {
+    RigidPose pose = bestSupported (voters, candidates, options, threads);
+    pose =
+        fitRigidMotion (voters.data(), static_cast<int> (voters.size()), pose, options);
+    const auto explained = [&] (const FlowSample& s) {
+      return meanTruncatedError (&s, 1, pose, options, kVoteLimit) < 0.7 * kVoteLimit;
+    };
+    const std::size_t before = voters.size();
+    voters.erase (std::remove_if (voters.begin(), voters.end(), explained),
+                  voters.end());
+    if (before - voters.size() < kSmallestBody * all)
+      break;
+    bodies.push_back (pose);
+  }
+  return bodies;
+}
+
+} // namespace
+
+cv::Mat
+estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current)
+{
+  cv::Mat flow;
+  const auto dis = cv::DISOpticalFlow::create (cv::DISOpticalFlow::PRESET_MEDIUM);
+  dis->calc (reference.gray(), current.gray(), flow);
+  return flow;
+}
+
+FlowHypotheses
+hypothesesFromFlow (const cv::Mat& flow,
+                    const RgbdFrame& current,
+                    const SegmentPixels& pixels,
+                    int level,
+                    const NoiseModel& noise,
+                    const RigidPose& start,
+                    int threads)
+{
+  const SampleTable table = lift (flow, current, pixels, level);
+  const RigidFitOptions options{
+      current.camera(), 2.0 * noise.inverse_depth, 2.0 * noise.relative_depth, 0.5, 6};
+  FlowHypotheses result;
+  const int segments = pixels.segments();
+  result.of_segment.assign (segments, start);
+  result.fitted.assign (segments, 0);
+#pragma omp parallel for schedule(dynamic, 8) num_threads(threads)
+  for (int k = 0; k < segments; ++k) {
+    const int n = table.begin[k + 1] - table.begin[k];
+    if (n < kMinSamples)
+      continue;
+    result.of_segment[k] =
+        fitRigidMotion (table.samples.data() + table.begin[k], n, start, options);
+    result.fitted[k] = 1;
+  }
+  std::vector<RigidPose> candidates;
+  for (int k = 0; k < segments; k += 2)
+    if (result.fitted[k])
+      candidates.push_back (result.of_segment[k]);
+  result.bodies = findBodies (table, candidates, options, threads);
+  return result;
+}
+
+} // namespace pcl_msf

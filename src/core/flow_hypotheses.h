@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "core/segment_pixels.h"
+#include <pcl_msf/rgbd_frame.h>
+#include <pcl_msf/rigid_pose.h>
+
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief Motions that optical flow suggests: starts for segments, never results. */
+struct FlowHypotheses {
+  std::vector<RigidPose> of_segment; ///< robust rigid fit to each segment's flow
+  std::vector<char> fitted;          ///< enough samples for the fit?
+  std::vector<RigidPose> bodies; ///< motions that many segments share, largest first
+};
+
+/** \brief Dense optical flow, reference to current: CV_32FC2, pixels, by cv's DIS. */
+cv::Mat
+estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current);
+
+/** \brief Lifts optical flow by depth and fits rigid motions (robustly).
+ * \param flow full resolution
+ * \param samples points of the reference at a level
+ * \param level index of that level
+ * \param start where the fits begin */
+FlowHypotheses
+hypothesesFromFlow (const cv::Mat& flow,
+                    const RgbdFrame& current,
+                    const SegmentPixels& samples,
+                    int level,
+                    const NoiseModel& noise,
+                    const RigidPose& start,
+                    int threads);
+
+} // namespace pcl_msf

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/joint_solver.h"
+#include "core/segment_block.h"
+#include <ceres/evaluation_callback.h>
+#include <ceres/problem.h>
+
+#include <memory>
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief JointEnergy as a Ceres problem over a state's poses and weights.
+ *
+ * One compressed block per body, filled by one parallel sweep before each evaluation;
+ * one block per link between different bodies. Links inside a body cost nothing. The
+ * state must outlive the problem and not be resized.
+ */
+class JointProblem : public ceres::EvaluationCallback {
+public:
+  JointProblem (JointEnergy& energy, MotionState& state);
+
+  void
+  PrepareForEvaluation (bool evaluate_jacobians, bool new_evaluation_point) override;
+
+  ceres::Problem&
+  problem ()
+  {
+    return *problem_;
+  }
+
+  /** \brief Keep the correspondences of the last linearization (tests). */
+  void
+  keepCorrespondences (bool keep)
+  {
+    keep_ = keep;
+  }
+
+private:
+  void
+  addBodies ();
+  void
+  addLinks ();
+
+  JointEnergy& energy_;
+  MotionState& state_;
+  std::vector<std::vector<int>> segments_of_; ///< per body
+  std::vector<CompressedBlock> blocks_;       ///< per body
+  std::unique_ptr<ceres::Problem> problem_;
+  bool keep_{false};
+};
+
+} // namespace pcl_msf

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/joint_solver.h"
+
+#include "core/joint_problem.h"
+#include "core/pose_coupling.h"
+#include <ceres/iteration_callback.h>
+#include <ceres/solver.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_msf {
+
+namespace {
+
+/** Passes iterations on and ends the solve when the monitor says so. */
+class MonitorCallback : public ceres::IterationCallback {
+public:
+  explicit MonitorCallback (SolveMonitor& monitor) : monitor_ (monitor) {}
+
+  ceres::CallbackReturnType
+  operator() (const ceres::IterationSummary& summary) override
+  {
+    if (summary.iteration == 0)
+      return monitor_.stopped() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
+                                : ceres::SOLVER_CONTINUE;
+    return monitor_.step (summary.cost) ? ceres::SOLVER_CONTINUE
+                                        : ceres::SOLVER_TERMINATE_SUCCESSFULLY;
+  }
+
+private:
+  SolveMonitor& monitor_;
+};
+
+ceres::Solver::Options
+solverOptions (const SolverParameters& solver, const SolveMonitor& monitor)
+{
+  ceres::Solver::Options options;
+  options.minimizer_type = ceres::TRUST_REGION;
+  options.trust_region_strategy_type = ceres::LEVENBERG_MARQUARDT;
+  options.linear_solver_type = solver.linear_solver == LinearSolver::Cgnr
+                                   ? ceres::CGNR
+                                   : ceres::SPARSE_NORMAL_CHOLESKY;
+  options.preconditioner_type = ceres::JACOBI;
+  options.use_nonmonotonic_steps = true;
+  options.max_num_iterations = solver.max_iterations;
+  options.function_tolerance = solver.function_tolerance;
+  options.parameter_tolerance = solver.parameter_tolerance;
+  options.gradient_tolerance = 0.0;
+  options.max_solver_time_in_seconds = monitor.secondsLeft();
+  options.logging_type = ceres::SILENT;
+  options.num_threads = 1; // the sweep is parallel; the rest is small
+  return options;
+}
+
+} // namespace
+
+double
+JointEnergy::unit (const SegmentLink& link) const
+{
+  return focal_length_ / std::max (link.midpoint.z(), 1e-3);
+}
+
+double
+JointEnergy::couplingCost (int i, const RigidPose& first, const RigidPose& second) const
+{
+  const SegmentLink& link = links_[i];
+  const double d2 =
+      poseDifference (first, second, link, unit (link), parameters_.pose_difference)
+          .squaredNorm();
+  const double gamma = parameters_.regularizer_weight;
+  const double eta = parameters_.prior_weight;
+  return 0.5 * gamma * eta * d2 / ((gamma * d2 + eta) * links_.size());
+}
+
+void
+JointEnergy::relaxWeights (MotionState& state) const
+{
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const SegmentLink& link = links_[i];
+    const double d2 = poseDifference (state.poseOf (link.first),
+                                      state.poseOf (link.second),
+                                      link,
+                                      unit (link),
+                                      parameters_.pose_difference)
+                          .squaredNorm();
+    state.weights[i] =
+        optimalWeight (d2, parameters_.regularizer_weight, parameters_.prior_weight);
+  }
+}
+
+EnergyCost
+JointEnergy::evaluate (const MotionState& state)
+{
+  data_.sweep (state, DataTerm::Pass::Linearize);
+  EnergyCost cost;
+  for (int k = 0; k < data_.pixels().segments(); ++k) {
+    cost.brightness += data_.of (k).brightness_cost;
+    cost.icp += data_.of (k).icp_cost;
+  }
+  const double share = 0.5 / std::max<std::size_t> (1, links_.size());
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const SegmentLink& link = links_[i];
+    const double s = state.weights[i] * state.weights[i];
+    const double d2 = poseDifference (state.poseOf (link.first),
+                                      state.poseOf (link.second),
+                                      link,
+                                      unit (link),
+                                      parameters_.pose_difference)
+                          .squaredNorm();
+    cost.regularizer += share * parameters_.regularizer_weight * s * s * d2;
+    cost.prior += share * parameters_.prior_weight * (1.0 - s) * (1.0 - s);
+  }
+  return cost;
+}
+
+JointEnergy::Outcome
+JointEnergy::minimize (const SolverParameters& solver,
+                       SolveMonitor& monitor,
+                       MotionState& state)
+{
+  Outcome outcome;
+  relaxWeights (state);
+  outcome.initial = evaluate (state);
+  JointProblem problem (*this, state);
+  MonitorCallback callback (monitor);
+  ceres::Solver::Options options = solverOptions (solver, monitor);
+  options.callbacks.push_back (&callback);
+  ceres::Solver::Summary summary;
+  if (solver.max_iterations > 0 && !monitor.stopped())
+    ceres::Solve (options, &problem.problem(), &summary);
+  relaxWeights (state);
+  outcome.final = evaluate (state);
+  outcome.iterations = static_cast<int> (summary.iterations.size());
+  outcome.converged = summary.termination_type == ceres::CONVERGENCE;
+  outcome.failed = summary.termination_type == ceres::FAILURE && outcome.iterations > 0;
+  return outcome;
+}
+
+} // namespace pcl_msf

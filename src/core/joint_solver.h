@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/data_term.h"
+#include "core/motion_state.h"
+#include "core/solve_monitor.h"
+#include <pcl_msf/parameters.h>
+#include <pcl_msf/scene_flow.h>
+
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief The energy of Eq. 5 on one level: data terms plus coupling of the links. */
+class JointEnergy {
+public:
+  /** \param focal_length of the level, pixels: the unit of pose differences */
+  JointEnergy (DataTerm& data,
+               const std::vector<SegmentLink>& links,
+               const EnergyParameters& parameters,
+               double focal_length)
+  : data_ (data), links_ (links), parameters_ (parameters), focal_length_ (focal_length)
+  {}
+
+  /** \brief How a Ceres solve ended. */
+  struct Outcome {
+    EnergyCost initial;
+    EnergyCost final;
+    int iterations{0};
+    bool converged{false};
+    bool failed{false};
+  };
+
+  /** \brief Minimizes over poses and weights from the given state (section 3.2);
+   * correspondences are renewed after every successful step. */
+  Outcome
+  minimize (const SolverParameters& solver, SolveMonitor& monitor, MotionState& state);
+
+  /** \brief The energy at a state, by term; linearizes the data term there. */
+  EnergyCost
+  evaluate (const MotionState& state);
+
+  /** \brief Sets every weight to its optimum for the present poses. */
+  void
+  relaxWeights (MotionState& state) const;
+
+  /** \brief Regularizer and prior of one link with its weight at its optimum. */
+  double
+  couplingCost (int link, const RigidPose& first, const RigidPose& second) const;
+
+  DataTerm&
+  data ()
+  {
+    return data_;
+  }
+
+private:
+  friend class JointProblem;
+  double
+  unit (const SegmentLink& link) const;
+
+  DataTerm& data_;
+  const std::vector<SegmentLink>& links_;
+  const EnergyParameters& parameters_;
+  double focal_length_;
+};
+
+} // namespace pcl_msf

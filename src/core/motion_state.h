@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <Eigen/Core>
+
+#include <pcl_msf/rigid_pose.h>
+
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief A pair of neighbouring segments: an element of Psi (section 3). */
+struct SegmentLink {
+  int first{0}; ///< first < second
+  int second{0};
+  Eigen::Vector3d midpoint; ///< between the centroids, reference frame, metres
+  double lever{0.0};        ///< half the distance of the centroids, metres
+};
+
+/** \brief The unknowns: a pose per body and a lifting weight per link.
+ *
+ * Each segment is a body of its own until bodies are merged.
+ */
+struct MotionState {
+  std::vector<int> body_of;     ///< per segment
+  std::vector<RigidPose> poses; ///< per body, current_from_reference
+  std::vector<double> weights;  ///< per link, w_{j,h}
+
+  const RigidPose&
+  poseOf (int segment) const
+  {
+    return poses[body_of[segment]];
+  }
+
+  /** \brief One body per segment with the given poses. */
+  static MotionState
+  fromSegments (std::vector<RigidPose> poses, std::size_t links)
+  {
+    MotionState state;
+    state.body_of.resize (poses.size());
+    for (std::size_t k = 0; k < poses.size(); ++k)
+      state.body_of[k] = static_cast<int> (k);
+    state.poses = std::move (poses);
+    state.weights.assign (links, 1.0);
+    return state;
+  }
+};
+
+} // namespace pcl_msf

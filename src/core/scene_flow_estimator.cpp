@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/two_frame_solve.h"
+#include <pcl_msf/errors.h>
+#include <pcl_msf/scene_flow_estimator.h>
+
+namespace pcl_msf {
+
+namespace {
+
+void
+requireUsable (const RgbdFrame& reference,
+               const RgbdFrame& current,
+               const Oversegmentation& segments,
+               const EnergyParameters& energy,
+               const SolverParameters& solver,
+               const RigidPose& guess)
+{
+  std::string why;
+  if (!energy.isValid (&why))
+    throw InvalidInput ("energy parameters: " + why);
+  if (!solver.isValid (&why))
+    throw InvalidInput ("solver parameters: " + why);
+  if (reference.empty() || current.empty())
+    throw InvalidInput ("a frame is empty");
+  if (reference.width() != current.width() || reference.height() != current.height())
+    throw InvalidInput ("the frames differ in size; resample one of them");
+  if (reference.hasIntensity() != current.hasIntensity())
+    throw InvalidInput ("one frame has colour and the other has none");
+  if (segments.size() < 1 || segments.labels().cols != reference.width() ||
+      segments.labels().rows != reference.height())
+    throw InvalidInput ("the segmentation is not of the reference frame");
+  if (!guess.isFinite())
+    throw InvalidInput ("the guess is not finite");
+}
+
+} // namespace
+
+SceneFlow
+SceneFlowEstimator::estimate (const RgbdFrame& reference,
+                              const RgbdFrame& current,
+                              const Oversegmentation& segments,
+                              const RigidPose& guess) const
+{
+  requireUsable (reference, current, segments, energy_, solver_, guess);
+  return TwoFrameSolve (reference, current, segments, energy_, solver_).run (guess);
+}
+
+} // namespace pcl_msf

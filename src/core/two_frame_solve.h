@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/flow_hypotheses.h"
+#include "core/joint_solver.h"
+#include "core/segment_graph.h"
+#include "core/solve_monitor.h"
+#include <pcl_msf/oversegmentation.h>
+#include <pcl_msf/rgbd_frame.h>
+#include <pcl_msf/scene_flow.h>
+
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief One two-frame estimation, from start to result: section 3 in order.
+ *
+ * start () finds poses worth descending from; refine () minimizes Eq. 5 from the
+ * coarsest level used to the finest; finish () writes down the result.
+ */
+class TwoFrameSolve {
+public:
+  TwoFrameSolve (const RgbdFrame& reference,
+                 const RgbdFrame& current,
+                 const Oversegmentation& segments,
+                 const EnergyParameters& energy,
+                 const SolverParameters& solver);
+
+  SceneFlow
+  run (const RigidPose& guess);
+
+private:
+  void
+  start (const RigidPose& guess);
+  void
+  refine (int level);
+  void
+  merge (DataTerm& data);
+  void
+  finish (SceneFlow& result);
+
+  const RgbdFrame& reference_;
+  const RgbdFrame& current_;
+  const Oversegmentation& segments_;
+  EnergyParameters energy_;
+  SolverParameters solver_;
+  int threads_;
+  int levels_;
+  NoiseModel noise_;
+  SolveMonitor monitor_;
+  std::vector<cv::Mat> labels_; ///< per level
+  std::vector<SegmentLink> links_;
+  MotionState state_;
+  FlowHypotheses hypotheses_;
+  Report report_;
+};
+
+} // namespace pcl_msf
