@@ -92,7 +92,7 @@ inputOptions (Options& o)
         "folder for the results, made when missing",
         text (o.output)},
        numeric (
-           "--flow-max", "PX", "flow of full colour, 0 = the longest", o.flow_maximum),
+           "--flow-max", "PX", "flow of full colour, 0 = automatic", o.flow_maximum),
        {"--quiet", "", "print errors and warnings only", flag (o.quiet)},
        {"--help", "", "print this", flag (o.help)}}};
 }

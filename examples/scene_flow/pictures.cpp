@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iomanip>
+#include <sstream>
 
 namespace pcl_msf::tool {
 
@@ -89,11 +91,12 @@ overlayAfter (const Outcome& o)
 void
 addFlow (Album& album, const cv::Mat& flow, double maximum)
 {
-  const cv::Mat colors = io::flowColors (flow, maximum);
+  const double full = maximum > 0.0 ? maximum : io::flowLength (flow, 0.99);
+  const cv::Mat colors = io::flowColors (flow, full);
   album.write ("flow_0_1.png", colors);
-  const long longest = std::lround (io::longestFlow (flow));
-  album.show ("optical flow, longest " + std::to_string (longest) + " px",
-              flowWithLegend (colors));
+  std::ostringstream label;
+  label << "optical flow, full colour " << std::setprecision (3) << full << " px";
+  album.show (label.str(), flowWithLegend (colors));
 }
 
 } // namespace

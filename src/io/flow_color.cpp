@@ -5,13 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <vector>
 
 namespace pcl_msf::io {
 
 namespace {
 
 constexpr int kHues = 55;
+constexpr double kTypicalShare = 0.99;
 constexpr double kPi = 3.14159265358979323846;
 
 /** One sixth of the wheel: from one pure hue to the next in so many steps. */
@@ -72,25 +73,30 @@ isKnown (const cv::Vec2f& flow)
 } // namespace
 
 double
-longestFlow (const cv::Mat& flow)
+flowLength (const cv::Mat& flow, double share)
 {
-  double longest = 0.0;
+  std::vector<double> lengths;
   for (int row = 0; row < flow.rows; ++row)
     for (int col = 0; col < flow.cols; ++col) {
       const auto& f = flow.at<cv::Vec2f> (row, col);
       if (isKnown (f))
-        longest = std::max (longest, std::hypot (double{f[0]}, double{f[1]}));
+        lengths.push_back (std::hypot (double{f[0]}, double{f[1]}));
     }
-  return longest;
+  if (lengths.empty())
+    return 0.0;
+  const double last = static_cast<double> (lengths.size() - 1);
+  const auto nth = lengths.begin() + std::lround (std::clamp (share, 0.0, 1.0) * last);
+  std::nth_element (lengths.begin(), nth, lengths.end());
+  return *nth;
 }
 
 cv::Mat
 flowColors (const cv::Mat& flow, double maximum)
 {
   CV_Assert (flow.type() == CV_32FC2);
-  const double longest = maximum > 0.0 ? maximum : longestFlow (flow);
-  // An automatic maximum must not darken the longest flow by a rounding error.
-  const double scale = longest > 0.0 ? (1.0 - 1e-9) / longest : 0.0;
+  const double full = maximum > 0.0 ? maximum : flowLength (flow, kTypicalShare);
+  // Flow of exactly that length must not darken by a rounding error.
+  const double scale = full > 0.0 ? (1.0 - 1e-9) / full : 0.0;
   cv::Mat colors (flow.size(), CV_8UC3, cv::Scalar::all (0));
   for (int row = 0; row < flow.rows; ++row)
     for (int col = 0; col < flow.cols; ++col) {

@@ -12,14 +12,16 @@ namespace pcl_msf::io {
  * The direction chooses the hue on a wheel of 55 colours, the length over `maximum` the
  * saturation: no motion is white, `maximum` is the full hue, longer is darker.
  * \param flow CV_32FC2, pixels; NaN or inf = unknown, which is black
- * \param maximum pixels that are fully saturated; <= 0 takes the longest known flow
+ * \param maximum pixels that are fully saturated; <= 0 takes the length that 99 % of
+ * the known flow stays within, so that a few outliers do not bleach the rest
  * \return CV_8UC3, BGR */
 cv::Mat
 flowColors (const cv::Mat& flow, double maximum = 0.0);
 
-/** \brief The longest known flow vector, pixels; 0 when there is none. */
+/** \brief The length that the given share of the known flow stays within, pixels; 0
+ * when nothing is known. \param share 0 .. 1; 1 = the longest vector */
 double
-longestFlow (const cv::Mat& flow);
+flowLength (const cv::Mat& flow, double share);
 
 /** \brief The wheel itself as a legend, `size` x `size` pixels, white outside. */
 cv::Mat
