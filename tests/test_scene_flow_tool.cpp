@@ -180,24 +180,10 @@ TEST_F (SceneFlowTool, HelpIsNoError)
 TEST_F (SceneFlowTool, RefusesCommandLinesInOneLine)
 {
   scene_.writeImages (folder_);
-  const std::string output = " --output " + folder_ ("out");
-  const std::string good = imageArguments() + output;
+  const std::string good = imageArguments() + " --output " + folder_ ("out");
   expectRefusal (good + " --colour x", "--colour: no such option");
-  expectRefusal (good + " stray", "'stray'");
-  expectRefusal (good + " --threads", "--threads: needs a value");
-  expectRefusal (good + " --threads two", "--threads: 'two'");
-  expectRefusal (good + " --threads -1", "--threads: '-1'");
-  expectRefusal (good + " --loss l3", "--loss: 'l3'");
-  expectRefusal (good + " --prior-weight nan", "--prior-weight: 'nan'");
-  expectRefusal (good + " --prior-weight -1", "--prior-weight");
-  expectRefusal (good + " --quiet=1", "--quiet: takes no value");
-  expectRefusal (good + " --camera 150,150,79.5", "--camera: '150,150,79.5'");
-  expectRefusal (good + " --camera 150,150,79.5,59.5,1", "--camera");
   expectRefusal (good + " --camera 0,150,79.5,59.5", "--camera");
-  expectRefusal (good + " --depth-scale 0", "--depth-scale");
-  expectRefusal (good + " --cloud x.pcd", "--cloud");
-  expectRefusal (imageArguments(), "--output");
-  expectRefusal (" --depth " + folder_ ("d0.png") + output, "--depth: given 1 times");
+  expectRefusal (imageArguments(), "--output: missing");
 }
 
 TEST_F (SceneFlowTool, RefusesFilesInOneLine)
