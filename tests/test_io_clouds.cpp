@@ -114,16 +114,24 @@ TEST (Clouds, RefusesMalformedFiles)
   expectIoError (read (header ("WIDTH 9\nHEIGHT 1\n") + "POINTS 9\nDATA ascii\n"),
                  "bad.pcd",
                  "not organized");
+  expectIoError (read (header ("WIDTH x\nHEIGHT 2\n") + "POINTS 4\nDATA ascii\n"),
+                 "bad.pcd",
+                 "WIDTH");
+  // PCL's reader crashes on these.
   expectIoError (
-      read (header ("WIDTH x\nHEIGHT 2\n") + "DATA ascii\n"), "bad.pcd", "WIDTH");
+      read (header ("WIDTH 2\nHEIGHT 2\n") + "DATA ascii\n"), "bad.pcd", "POINTS");
+  expectIoError (read ("FVERSION .7\n"), "bad.pcd", "'FVERSION' is no keyword");
+  expectIoError (read (header ("WIDTH 2\nHEIGHT 2\nSIZE 4\n") + "DATA ascii\n"),
+                 "bad.pcd",
+                 "SIZE");
   expectIoError (read (header ("WIDTH 1000000000\nHEIGHT 1000000000\n") +
                        "POINTS 1000000000000000000\nDATA binary\n"),
                  "bad.pcd",
                  "POINTS");
-  expectIoError (
-      read (header ("WIDTH 1000000000\nHEIGHT 1000000000\n") + "DATA binary\n"),
-      "bad.pcd",
-      "width");
+  expectIoError (read (header ("WIDTH 100000\nHEIGHT 100000\n") +
+                       "POINTS 10000000000\nDATA binary\n"),
+                 "bad.pcd",
+                 "width");
   expectIoError (
       read (header ("WIDTH 8000\nHEIGHT 8000\n") + "POINTS 64000000\nDATA binary\nxyz"),
       "bad.pcd",

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <boost/crc.hpp>
+
 #include <opencv2/imgcodecs.hpp>
 
 #include "expect_io_error.h"
@@ -83,8 +85,17 @@ TEST (Images, RefusesCutAndAbsurdPngs)
     writeFile (folder ("cut.png"), bytes.substr (0, size));
     expectIoError ([&] { io::readColor (folder ("cut.png")); }, "cut.png", "colour");
   }
+  std::string damaged = bytes;
+  damaged[bytes.size() / 2] ^= 1;
+  writeFile (folder ("damaged.png"), damaged);
+  expectIoError (
+      [&] { io::readColor (folder ("damaged.png")); }, "damaged.png", "checksum");
   std::string huge = bytes;
   huge.replace (16, 8, std::string ("\x3B\x9A\xCA\0\x3B\x9A\xCA\0", 8));
+  boost::crc_32_type checksum;
+  checksum.process_bytes (huge.data() + 12, 17);
+  for (int i = 0; i < 4; ++i)
+    huge[29 + i] = static_cast<char> (checksum.checksum() >> (24 - 8 * i));
   writeFile (folder ("huge.png"), huge);
   expectIoError ([&] { io::readColor (folder ("huge.png")); }, "huge.png", "width");
 }

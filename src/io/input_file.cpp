@@ -49,12 +49,6 @@ InputFile::read (void* to, std::uint64_t bytes, const std::string& field)
     fail (field, "the file ends too early; it is cut short or of another format");
 }
 
-void
-InputFile::skip (std::uint64_t bytes)
-{
-  stream_.seekg (static_cast<std::streamoff> (bytes), std::ios::cur);
-}
-
 std::string
 InputFile::word (const std::string& field)
 {

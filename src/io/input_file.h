@@ -38,10 +38,6 @@ public:
     return result;
   }
 
-  /** \brief Passes over that many bytes, which `remaining` must have. */
-  void
-  skip (std::uint64_t bytes);
-
   /** \brief Characters up to the next white space, which is consumed, at most 64. */
   std::string
   word (const std::string& field);
