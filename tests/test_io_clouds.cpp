@@ -146,6 +146,17 @@ TEST (Clouds, RefusesMalformedFiles)
                  "field x");
 }
 
+TEST (Clouds, RefusesAColourThatIsNotFourBytes)
+{
+  const TemporaryFolder folder;
+  writeFile (folder ("bad.pcd"),
+             "VERSION .7\nFIELDS x y z rgb\nSIZE 4 4 4 1\nTYPE F F F U\n"
+             "WIDTH 2\nHEIGHT 2\nPOINTS 4\nDATA binary\n" +
+                 std::string (52, '\1'));
+  expectIoError (
+      [&] { io::readOrganizedCloud (folder ("bad.pcd")); }, "bad.pcd", "field rgb");
+}
+
 TEST (Clouds, RefusesAPackedCloudThatIsCut)
 {
   const TemporaryFolder folder;

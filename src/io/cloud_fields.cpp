@@ -72,6 +72,21 @@ findFloat (const pcl::PCLPointCloud2& cloud,
   return *field;
 }
 
+/** The field rgb or rgba, four bytes of whatever type. */
+const pcl::PCLPointField*
+findPacked (const pcl::PCLPointCloud2& cloud, const std::string& path)
+{
+  const auto* field = find (cloud, "rgb");
+  if (!field)
+    field = find (cloud, "rgba");
+  if (field && field->datatype != pcl::PCLPointField::FLOAT32 &&
+      field->datatype != pcl::PCLPointField::UINT32 &&
+      field->datatype != pcl::PCLPointField::INT32)
+    throw IoError (path + ": field " + field->name +
+                   ": not of four bytes; PCL packs colours into four");
+  return field;
+}
+
 /** Intensities are 0 .. 1 in some clouds and 0 .. 255 in others. */
 double
 scaleOf (const pcl::PCLPointCloud2& cloud, const pcl::PCLPointField& intensity)
@@ -91,11 +106,9 @@ CloudFields::CloudFields (const pcl::PCLPointCloud2& cloud, const std::string& p
 : x_ (findFloat (cloud, "x", path))
 , y_ (findFloat (cloud, "y", path))
 , z_ (findFloat (cloud, "z", path))
-, packed_ (find (cloud, "rgb"))
+, packed_ (findPacked (cloud, path))
 , intensity_ (find (cloud, "intensity"))
 {
-  if (!packed_)
-    packed_ = find (cloud, "rgba");
   if (!packed_ && intensity_)
     intensity_scale_ = scaleOf (cloud, *intensity_);
 }

@@ -12,7 +12,8 @@ namespace pcl_msf::io {
 /** \brief Finds position and colour in the points of a cloud of any layout. */
 class CloudFields {
 public:
-  /** \throws IoError when x, y or z is missing or no number \param path for the error
+  /** \throws IoError when x, y or z is no float, or a colour not of four bytes \param
+   * path for the error
    */
   CloudFields (const pcl::PCLPointCloud2& cloud, const std::string& path);
 
