@@ -9,7 +9,7 @@ macro (pcl_msf_require package debian_name)
 endmacro ()
 
 pcl_msf_require (Eigen3 libeigen3-dev)
-pcl_msf_require (PCL libpcl-dev COMPONENTS common kdtree search features registration)
+pcl_msf_require (PCL libpcl-dev COMPONENTS common io kdtree search features registration)
 pcl_msf_require (Ceres libceres-dev)
 pcl_msf_require (OpenCV libopencv-dev COMPONENTS core imgproc video imgcodecs)
 pcl_msf_require (OpenMP g++ COMPONENTS CXX)
