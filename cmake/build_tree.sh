@@ -6,8 +6,8 @@ source_dir="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 build_dir="${PCL_MSF_BUILD_DIR:-$source_dir/build}"
 jobs="$(nproc 2>/dev/null || echo 1)"
 
-# configure_and_build [cmake options...]
-configure_and_build () {
+# configure [cmake options...]: Release; what CMake says is shown only when it fails.
+configure () {
   local options=(-DCMAKE_BUILD_TYPE=Release "$@")
   if [ ! -f "$build_dir/CMakeCache.txt" ] && command -v ninja >/dev/null; then
     options+=(-G Ninja)
@@ -19,5 +19,9 @@ configure_and_build () {
   cmake -S "$source_dir" -B "$build_dir" "${options[@]}" >"$build_dir.configure.log" 2>&1 ||
     { cat "$build_dir.configure.log" >&2; rm -f "$build_dir.configure.log"; return 1; }
   rm -f "$build_dir.configure.log"
-  cmake --build "$build_dir" --parallel "$jobs"
+}
+
+# build [targets...]: these targets, or all.
+build () {
+  cmake --build "$build_dir" --parallel "$jobs" ${1:+--target "$@"}
 }

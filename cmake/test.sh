@@ -7,7 +7,8 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/build_tree.sh"
 
 bash "$source_dir/cmake/install_dependencies.sh" --tests
-configure_and_build -DPCL_MSF_BUILD_TESTS=ON -DPCL_MSF_BUILD_EXAMPLES=ON \
+configure -DPCL_MSF_BUILD_TESTS=ON -DPCL_MSF_BUILD_EXAMPLES=ON \
   -DPCL_MSF_WARNINGS_AS_ERRORS=OFF "$@"
+build
 cd "$build_dir"
 ctest --output-on-failure -j2
