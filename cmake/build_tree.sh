@@ -16,9 +16,11 @@ configure () {
     options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
   fi
   echo "Configuring in $build_dir"
-  cmake -S "$source_dir" -B "$build_dir" "${options[@]}" >"$build_dir.configure.log" 2>&1 ||
-    { cat "$build_dir.configure.log" >&2; rm -f "$build_dir.configure.log"; return 1; }
-  rm -f "$build_dir.configure.log"
+  local log
+  log="$(mktemp)"
+  cmake -S "$source_dir" -B "$build_dir" "${options[@]}" >"$log" 2>&1 ||
+    { cat "$log" >&2; rm -f "$log"; return 1; }
+  rm -f "$log"
 }
 
 # build [targets...]: these targets, or all.
