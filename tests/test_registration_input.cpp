@@ -250,4 +250,17 @@ TEST (Registration, CancellingEndsUnconvergedWithAReason)
   EXPECT_EQ (registration.getReport().stop_reason, StopReason::Cancelled);
 }
 
+TEST (Registration, ATinyTimeBudgetEndsUnconvergedWithAResult)
+{
+  Registration registration;
+  registration.setInputSource (RigidPair::reference());
+  registration.setInputTarget (RigidPair::current());
+  registration.setTimeBudget (1e-6);
+  Cloud output;
+  registration.align (output);
+  EXPECT_FALSE (registration.hasConverged());
+  EXPECT_EQ (registration.getReport().stop_reason, StopReason::TimeLimit);
+  EXPECT_FALSE (registration.getSceneFlow().displacement.empty());
+}
+
 } // namespace

@@ -171,7 +171,8 @@ private:
   void
   minimizeEnergy (const detail::FramePair& frames,
                   const Oversegmentation& segments,
-                  const Matrix4& guess);
+                  const Matrix4& guess,
+                  double seconds_gone);
   void
   warp (PointCloudSource& output) const;
   void
