@@ -5,6 +5,7 @@
 #include "option_values.h"
 
 #include <sstream>
+#include <utility>
 
 namespace pcl_msf::tool {
 
@@ -33,6 +34,24 @@ Option
 switchable (const std::string& name, const std::string& help, bool& value)
 {
   return {name, "0|1", withDefault (help, value), boolean (value)};
+}
+
+/** One of several words, listed in the help with the default's. */
+template <typename Enum>
+Option
+oneOf (const std::string& name,
+       Enum& value,
+       const std::vector<std::pair<std::string, Enum>>& words)
+{
+  std::string list;
+  std::string preset;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const bool last = i + 1 == words.size();
+    list += (i == 0 ? "" : last ? " or " : ", ") + words[i].first;
+    if (words[i].second == value)
+      preset = words[i].first;
+  }
+  return {name, "WORD", withDefault (list, preset), choice (value, words)};
 }
 
 Setter
@@ -107,12 +126,10 @@ frameOptions (FrameParameters& p)
        numeric ("--min-depth", "M", "nearer points are dropped", p.min_depth),
        numeric ("--max-depth", "M", "farther points are dropped", p.max_depth),
        numeric ("--max-levels", "N", "pyramid levels of a frame", p.max_levels),
-       {"--normals",
-        "WORD",
-        "central or integral [central]",
-        choice<NormalMethod> (p.normals,
-                              {{"central", NormalMethod::CentralDifferences},
-                               {"integral", NormalMethod::IntegralImage}})}}};
+       oneOf<NormalMethod> ("--normals",
+                            p.normals,
+                            {{"central", NormalMethod::CentralDifferences},
+                             {"integral", NormalMethod::IntegralImage}})}};
 }
 
 OptionGroup
@@ -121,15 +138,13 @@ segmentationOptions (SegmentationParameters& p)
   using Method = SegmentationMethod;
   return {
       "Segments",
-      {{"--segmentation",
-        "WORD",
-        "tangent-plane, felzenszwalb, slic, tiles or single [tangent-plane]",
-        choice<Method> (p.method,
-                        {{"tangent-plane", Method::TangentPlane},
-                         {"felzenszwalb", Method::Felzenszwalb},
-                         {"slic", Method::Slic},
-                         {"tiles", Method::Tiles},
-                         {"single", Method::Single}})},
+      {oneOf<Method> ("--segmentation",
+                      p.method,
+                      {{"tangent-plane", Method::TangentPlane},
+                       {"felzenszwalb", Method::Felzenszwalb},
+                       {"slic", Method::Slic},
+                       {"tiles", Method::Tiles},
+                       {"single", Method::Single}}),
        numeric ("--threshold", "T", "felzenszwalb's threshold", p.threshold),
        numeric ("--min-points", "N", "felzenszwalb's smallest segment", p.min_points),
        switchable (
@@ -150,18 +165,14 @@ energyOptions (EnergyParameters& p)
                 "E",
                 "in standard deviations, 0 = l1",
                 p.huber_threshold),
-       {"--loss",
-        "WORD",
-        "huber, l1 or l2 [huber]",
-        choice<LossType> (
-            p.loss,
-            {{"huber", LossType::Huber}, {"l1", LossType::L1}, {"l2", LossType::L2}})},
-       {"--pose-difference",
-        "WORD",
-        "metric or parameters [metric]",
-        choice<PoseDifference> (p.pose_difference,
-                                {{"metric", PoseDifference::Metric},
-                                 {"parameters", PoseDifference::Parameters}})},
+       oneOf<LossType> (
+           "--loss",
+           p.loss,
+           {{"huber", LossType::Huber}, {"l1", LossType::L1}, {"l2", LossType::L2}}),
+       oneOf<PoseDifference> ("--pose-difference",
+                              p.pose_difference,
+                              {{"metric", PoseDifference::Metric},
+                               {"parameters", PoseDifference::Parameters}}),
        numeric ("--neighbors", "N", "connected segments of a segment", p.neighbors)}};
 }
 
@@ -174,12 +185,10 @@ solverOptions (SolverParameters& p)
        numeric ("--function-tolerance", "T", "relative change", p.function_tolerance),
        numeric ("--parameter-tolerance", "T", "relative change", p.parameter_tolerance),
        numeric ("--max-seconds", "S", "time budget, 0 = none", p.max_seconds),
-       {"--linear-solver",
-        "WORD",
-        "cholesky or cgnr [cholesky]",
-        choice<LinearSolver> (p.linear_solver,
-                              {{"cholesky", LinearSolver::SparseCholesky},
-                               {"cgnr", LinearSolver::Cgnr}})},
+       oneOf<LinearSolver> (
+           "--linear-solver",
+           p.linear_solver,
+           {{"cgnr", LinearSolver::Cgnr}, {"cholesky", LinearSolver::SparseCholesky}}),
        numeric ("--levels", "N", "pyramid levels to use", p.levels),
        switchable (
            "--flow-proposals", "start from optical flow, too", p.flow_proposals),

@@ -8,11 +8,12 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <system_error>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace pcl_msf::tool {
 
@@ -55,13 +56,15 @@ boolean (bool& value)
 /** \brief One of several words. */
 template <typename Enum>
 Setter
-choice (Enum& value, const std::map<std::string, Enum>& words)
+choice (Enum& value, const std::vector<std::pair<std::string, Enum>>& words)
 {
   return [&value, words] (const std::string& text) {
-    const auto word = words.find (text);
-    if (word != words.end())
-      value = word->second;
-    return word != words.end();
+    for (const auto& [word, meaning] : words)
+      if (word == text) {
+        value = meaning;
+        return true;
+      }
+    return false;
   };
 }
 
