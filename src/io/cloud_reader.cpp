@@ -6,11 +6,12 @@
 
 #include "io/cloud_fields.h"
 #include "io/pcd_header.h"
+#include <pcl_msf/cloud_conversions.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/cloud_files.h>
 
 #include <exception>
-#include <limits>
+#include <string>
 
 namespace pcl_msf::io {
 
@@ -59,20 +60,16 @@ RgbdImages
 readCloudImages (const std::string& path, const std::optional<PinholeCamera>& camera)
 {
   const auto cloud = readOrganizedCloud (path);
-  const int width = static_cast<int> (cloud->width);
-  const int height = static_cast<int> (cloud->height);
+  const cv::Mat points = pointImage (*cloud);
   RgbdImages images;
-  images.camera = camera ? *camera : fitCamera (*cloud, path);
-  images.depth.create (height, width, CV_32FC1);
+  std::string why;
+  if (camera)
+    images.camera = *camera;
+  else if (!estimateCamera (points, images.camera, &why))
+    throw IoError (path + ": camera: " + why + "; give the camera");
+  images.depth = depthImage (points);
   if (cloud->front().a != 0)
-    images.color.create (height, width, CV_8UC3);
-  for (int row = 0; row < height; ++row)
-    for (int col = 0; col < width; ++col) {
-      const pcl::PointXYZRGBA& point = (*cloud) (col, row);
-      images.depth.at<float> (row, col) = point.z;
-      if (!images.color.empty())
-        images.color.at<cv::Vec3b> (row, col) = {point.b, point.g, point.r};
-    }
+    images.color = colorImage (*cloud);
   return images;
 }
 

@@ -23,19 +23,10 @@ readOrganizedCloud (const std::string& path);
 
 /** \brief Reads an organized cloud as images.
  *
- * \param camera of the cloud's sensor; when not given it is fitted to the points, which
- * takes points with depth spread over the image \throws IoError */
+ * \param camera of the cloud's sensor; when not given it is taken from the points
+ * (estimateCamera) \throws IoError, also when the points tell no camera */
 RgbdImages
 readCloudImages (const std::string& path,
                  const std::optional<PinholeCamera>& camera = {});
-
-/** \brief Fits the pinhole camera that sees an organized cloud's points at their
- * pixels.
- *
- * Least squares of u = fx x/z + cx and v = fy y/z + cy over all finite points, which is
- * determined for flat scenes, too. \throws IoError naming `path` when the points do not
- * tell, or lie more than 2 px (RMS) off their pixels: then the camera must be given */
-PinholeCamera
-fitCamera (const pcl::PointCloud<pcl::PointXYZRGBA>& cloud, const std::string& path);
 
 } // namespace pcl_msf::io
