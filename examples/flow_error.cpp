@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include <opencv2/imgcodecs.hpp>
-#include <opencv2/video/tracking.hpp>
+#include <pcl_msf/io/float_files.h>
+#include <pcl_msf/io/images.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,21 +12,10 @@
 
 namespace {
 
-constexpr float kUnknown = 1e9f; // .flo marks unknown flow by larger numbers
-
-cv::Mat
-readFlow (const std::string& path)
-{
-  cv::Mat flow = cv::readOpticalFlow (path);
-  if (flow.empty())
-    throw std::runtime_error (path + " is no readable .flo file");
-  return flow;
-}
-
 bool
 isKnown (const cv::Vec2f& flow)
 {
-  return std::abs (flow[0]) < kUnknown && std::abs (flow[1]) < kUnknown; // NaN: no
+  return std::isfinite (flow[0]) && std::isfinite (flow[1]);
 }
 
 /** End-point errors over the pixels of a mask (or all) where the truth is known. */
@@ -78,15 +67,15 @@ main (int argc, char** argv)
     return 2;
   }
   try {
-    const cv::Mat flow = readFlow (argv[1]);
-    const cv::Mat truth = readFlow (argv[2]);
+    const cv::Mat flow = pcl_msf::io::readFlow (argv[1]);
+    const cv::Mat truth = pcl_msf::io::readFlow (argv[2]);
     if (flow.size() != truth.size())
       throw std::runtime_error ("the two flows differ in size");
     printErrors ("all points", flow, truth, {});
     if (argc == 4) {
-      const cv::Mat visible = cv::imread (argv[3], cv::IMREAD_GRAYSCALE);
+      const cv::Mat visible = pcl_msf::io::readMask (argv[3]);
       if (visible.size() != truth.size())
-        throw std::runtime_error (std::string (argv[3]) + " is no image of that size");
+        throw std::runtime_error (std::string (argv[3]) + ": no image of that size");
       printErrors ("visible points", flow, truth, visible);
     }
   }

@@ -15,17 +15,11 @@
 
 namespace pcl_msf::io {
 
-namespace {
-
-constexpr float kTag = 202021.25F;
-
-} // namespace
-
 cv::Mat
 readTaggedFloats (const std::string& path, int channels)
 {
   InputFile file (path);
-  if (file.value<float> ("magic number") != kTag)
+  if (file.value<float> ("magic number") != kFloatTag)
     file.fail ("magic number", "not 202021.25; the file is of another format");
   const auto width = file.value<std::int32_t> ("width");
   const auto height = file.value<std::int32_t> ("height");
@@ -46,7 +40,7 @@ writeTaggedFloats (const std::string& path, const cv::Mat& image)
   const std::int32_t size[2] = {image.cols, image.rows};
   const std::size_t row_bytes = image.cols * image.elemSize();
   std::vector<unsigned char> bytes (12 + image.rows * row_bytes);
-  std::memcpy (bytes.data(), &kTag, 4);
+  std::memcpy (bytes.data(), &kFloatTag, 4);
   std::memcpy (bytes.data() + 4, size, 8);
   for (int row = 0; row < image.rows; ++row)
     std::memcpy (bytes.data() + 12 + row * row_bytes, image.ptr (row), row_bytes);

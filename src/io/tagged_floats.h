@@ -8,6 +8,9 @@
 
 namespace pcl_msf::io {
 
+/** \brief The first four bytes of .flo, .dpt and .cam. */
+constexpr float kFloatTag = 202021.25F;
+
 /** \brief The layout that .flo and .dpt share: float 202021.25, int32 width, int32
  * height, rows of `channels` float32. \throws IoError */
 cv::Mat

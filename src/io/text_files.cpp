@@ -48,12 +48,6 @@ imageSide (const std::string& path, const char* name, double value)
   return static_cast<int> (value);
 }
 
-void
-writeText (const std::string& path, const std::string& text)
-{
-  writeBytes (path, text.data(), text.size());
-}
-
 std::ostringstream
 exactStream ()
 {
@@ -64,6 +58,12 @@ exactStream ()
 }
 
 } // namespace
+
+void
+writeText (const std::string& path, const std::string& text)
+{
+  writeBytes (path, text.data(), text.size());
+}
 
 CameraFile
 readCamera (const std::string& path)

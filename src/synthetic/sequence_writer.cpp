@@ -3,8 +3,10 @@
 #include <Eigen/Geometry>
 
 #include <pcl_msf/errors.h>
+#include <pcl_msf/io/float_files.h>
+#include <pcl_msf/io/images.h>
+#include <pcl_msf/io/text_files.h>
 #include <pcl_msf/synthetic/sequence_writer.h>
-#include <synthetic/truth_files.h>
 
 #include <cmath>
 #include <filesystem>
@@ -13,8 +15,6 @@
 
 namespace pcl_msf {
 namespace {
-
-using namespace synthetic;
 
 void
 makeFolder (const std::string& folder)
@@ -25,29 +25,25 @@ makeFolder (const std::string& folder)
     throw IoError ("cannot make the folder " + folder + ": " + error.message());
 }
 
-cv::Mat
-depth16 (const cv::Mat& depth, double scale)
+/** Depth as Sintel has it: 0 where nothing was hit. */
+void
+writeFloatDepth (const std::string& file, const cv::Mat& depth)
 {
-  cv::Mat result (depth.size(), CV_16UC1, cv::Scalar (0));
-  for (int v = 0; v < depth.rows; ++v)
-    for (int u = 0; u < depth.cols; ++u) {
-      const double value = std::round (scale * depth.at<float> (v, u));
-      if (value > 0.0 && value <= 65535.0)
-        result.at<unsigned short> (v, u) = static_cast<unsigned short> (value);
-    }
-  return result;
+  cv::Mat known = depth.clone();
+  cv::patchNaNs (known, 0.0);
+  io::writeDpt (file, known);
 }
 
-/** Rows of a pose's upper 3x4. */
+/** The upper 3x4 of a pose, row by row, each number with a blank behind it. */
 std::string
-rowsOf (const RigidPose& pose, const char* row_end)
+rowsOf (const RigidPose& pose)
 {
   std::ostringstream text;
   text << std::setprecision (17);
   const Eigen::Matrix3d r = pose.rotation();
   const Eigen::Vector3d t = pose.translation();
   for (int i = 0; i < 3; ++i)
-    text << r (i, 0) << ' ' << r (i, 1) << ' ' << r (i, 2) << ' ' << t[i] << row_end;
+    text << r (i, 0) << ' ' << r (i, 1) << ' ' << r (i, 2) << ' ' << t[i] << ' ';
   return text.str();
 }
 
@@ -58,8 +54,8 @@ objectPoses (const SyntheticSequence& sequence, std::size_t k)
   text << "# label rigid r11 r12 r13 tx r21 r22 r23 ty r31 r32 r33 tz name\n";
   for (std::size_t label = 0; label < sequence.bodies.size(); ++label) {
     const SyntheticBody& body = sequence.bodies[label];
-    text << label << ' ' << body.rigid << ' '
-         << rowsOf (body.framek_from_frame0[k], " ") << body.name << '\n';
+    text << label << ' ' << body.rigid << ' ' << rowsOf (body.framek_from_frame0[k])
+         << body.name << '\n';
   }
   return text.str();
 }
@@ -72,16 +68,17 @@ writeCaseTruth (const SyntheticSequence& sequence, const std::string& folder)
   cv::Mat shown = sequence.labels.clone();
   shown.setTo (255, sequence.labels < 0);
   shown.convertTo (labels, CV_8UC1);
-  writeImage (folder + "/labels_0.png", labels);
+  io::writeImage (folder + "/labels_0.png", labels);
   for (std::size_t k = 1; k < sequence.truth.size(); ++k) {
     const GroundTruth& truth = sequence.truth[k];
     const std::string number = std::to_string (k);
-    writeFlo (folder + "/flow_0_" + number + ".flo", truth.flow);
-    writePfm (folder + "/scene_flow_0_" + number + ".pfm", truth.scene_flow);
-    writeImage (folder + "/visible_0_" + number + ".png", truth.visible);
-    writeText (folder + "/pose_" + number + ".txt",
-               rowsOf (sequence.bodies[0].framek_from_frame0[k], "\n") + "0 0 0 1\n");
-    writeText (folder + "/object_poses_" + number + ".txt", objectPoses (sequence, k));
+    io::writeFlow (folder + "/flow_0_" + number + ".flo", truth.flow);
+    io::writePfm (folder + "/scene_flow_0_" + number + ".pfm", truth.scene_flow);
+    io::writeImage (folder + "/visible_0_" + number + ".png", truth.visible);
+    io::writePose (folder + "/pose_" + number + ".txt",
+                   sequence.bodies[0].framek_from_frame0[k]);
+    io::writeText (folder + "/object_poses_" + number + ".txt",
+                   objectPoses (sequence, k));
   }
 }
 
@@ -96,20 +93,17 @@ writeCase (const SyntheticSequence& sequence,
   for (std::size_t k = 0; k < sequence.frames.size(); ++k) {
     const SyntheticFrame& frame = sequence.frames[k];
     const std::string number = std::to_string (k);
-    writeImage (folder + "/color_" + number + ".png", frame.color);
+    io::writeImage (folder + "/color_" + number + ".png", frame.color);
     if (as_float)
-      writeDpt (folder + "/depth_" + number + ".dpt", frame.depth);
+      writeFloatDepth (folder + "/depth_" + number + ".dpt", frame.depth);
     else
-      writeImage (folder + "/depth_" + number + ".png",
-                  depth16 (frame.depth, options.depth_scale));
+      io::writeDepth (
+          folder + "/depth_" + number + ".png", frame.depth, options.depth_scale);
   }
-  const PinholeCamera& c = sequence.camera;
   const cv::Size size = sequence.labels.size();
-  std::ostringstream text;
-  text << std::setprecision (17) << c.fx << ' ' << c.fy << ' ' << c.cx << ' ' << c.cy
-       << ' ' << size.width << ' ' << size.height << ' '
-       << (as_float ? 1.0 : options.depth_scale) << '\n';
-  writeText (folder + "/camera.txt", text.str());
+  io::writeCamera (
+      folder + "/camera.txt",
+      {sequence.camera, size.width, size.height, as_float ? 1.0 : options.depth_scale});
   writeCaseTruth (sequence, folder + "/gt");
 }
 
@@ -126,8 +120,8 @@ writeTum (const SyntheticSequence& sequence, const std::string& folder)
     std::ostringstream time;
     time << std::fixed << std::setprecision (6) << 1.0 + static_cast<double> (k) / 30.0;
     const std::string name = time.str() + ".png";
-    writeImage (folder + "/rgb/" + name, sequence.frames[k].color);
-    writeImage (folder + "/depth/" + name, depth16 (sequence.frames[k].depth, 5000.0));
+    io::writeImage (folder + "/rgb/" + name, sequence.frames[k].color);
+    io::writeDepth (folder + "/depth/" + name, sequence.frames[k].depth, 5000.0);
     rgb << time.str() << " rgb/" << name << '\n';
     depth << time.str() << " depth/" << name << '\n';
     const RigidPose& pose = sequence.frame0_from_framek[k];
@@ -137,9 +131,9 @@ writeTum (const SyntheticSequence& sequence, const std::string& folder)
           << t.z() << ' ' << q.x() << ' ' << q.y() << ' ' << q.z() << ' ' << q.w()
           << '\n';
   }
-  writeText (folder + "/rgb.txt", rgb.str());
-  writeText (folder + "/depth.txt", depth.str());
-  writeText (folder + "/groundtruth.txt", poses.str());
+  io::writeText (folder + "/rgb.txt", rgb.str());
+  io::writeText (folder + "/depth.txt", depth.str());
+  io::writeText (folder + "/groundtruth.txt", poses.str());
 }
 
 void
@@ -149,7 +143,7 @@ writeSintelTruth (const GroundTruth& truth,
 {
   for (const char* kind : {"flow", "occlusions", "invalid"})
     makeFolder (folder + "/" + kind + file.substr (0, file.rfind ('/')));
-  writeFlo (folder + "/flow" + file + ".flo", truth.flow);
+  io::writeFlow (folder + "/flow" + file + ".flo", truth.flow);
   cv::Mat invalid (truth.flow.size(), CV_8UC1, cv::Scalar (255));
   for (int v = 0; v < invalid.rows; ++v)
     for (int u = 0; u < invalid.cols; ++u) {
@@ -158,8 +152,8 @@ writeSintelTruth (const GroundTruth& truth,
       if (x >= -0.5 && y >= -0.5 && x < invalid.cols - 0.5 && y < invalid.rows - 0.5)
         invalid.at<unsigned char> (v, u) = 0;
     }
-  writeImage (folder + "/invalid" + file + ".png", invalid);
-  writeImage (folder + "/occlusions" + file + ".png", ~truth.visible & ~invalid);
+  io::writeImage (folder + "/invalid" + file + ".png", invalid);
+  io::writeImage (folder + "/occlusions" + file + ".png", ~truth.visible & ~invalid);
 }
 
 void
@@ -173,11 +167,11 @@ writeSintel (const SyntheticSequence& sequence,
     std::ostringstream number;
     number << std::setw (4) << std::setfill ('0') << k + 1;
     const std::string file = "/" + name + "/frame_" + number.str();
-    writeImage (folder + "/clean" + file + ".png", sequence.frames[k].color);
-    writeDpt (folder + "/depth" + file + ".dpt", sequence.frames[k].depth);
-    writeCam (folder + "/camdata_left" + file + ".cam",
-              sequence.camera,
-              sequence.frame0_from_framek[k].inverse());
+    io::writeImage (folder + "/clean" + file + ".png", sequence.frames[k].color);
+    writeFloatDepth (folder + "/depth" + file + ".dpt", sequence.frames[k].depth);
+    io::writeCam (folder + "/camdata_left" + file + ".cam",
+                  sequence.camera,
+                  sequence.frame0_from_framek[k].inverse());
     if (k < sequence.successive_truth.size())
       writeSintelTruth (sequence.successive_truth[k], folder, file);
     else if (k == 0 && sequence.truth.size() > 1)

@@ -4,6 +4,9 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/pinhole_camera.h>
+#include <pcl_msf/rigid_pose.h>
+
 #include <string>
 
 namespace pcl_msf::io {
@@ -46,5 +49,14 @@ readPfm (const std::string& path);
  */
 void
 writePfm (const std::string& path, const cv::Mat& image);
+
+/** \brief Writes a camera file of the Sintel benchmark (.cam).
+ *
+ * Bytes, little-endian: float 202021.25, then row by row the intrinsic 3x3 and the
+ * extrinsic 3x4 (camera from world, metres) as float64. \throws IoError */
+void
+writeCam (const std::string& path,
+          const PinholeCamera& camera,
+          const RigidPose& camera_from_world);
 
 } // namespace pcl_msf::io

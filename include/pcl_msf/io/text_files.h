@@ -9,6 +9,10 @@
 
 namespace pcl_msf::io {
 
+/** \brief Writes a text file, whole or not at all. \throws IoError */
+void
+writeText (const std::string& path, const std::string& text);
+
 /** \brief What a camera.txt says. */
 struct CameraFile {
   PinholeCamera camera;    ///< pixels
