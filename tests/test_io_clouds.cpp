@@ -13,10 +13,7 @@
 namespace {
 
 using namespace pcl_msf;
-using pcl_msf::testing::expectIoError;
-using pcl_msf::testing::readFile;
-using pcl_msf::testing::TemporaryFolder;
-using pcl_msf::testing::writeFile;
+using namespace pcl_msf::testing;
 
 const PinholeCamera kCamera{50.0, 48.0, 19.0, 14.5};
 

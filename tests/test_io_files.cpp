@@ -12,10 +12,7 @@
 namespace {
 
 using namespace pcl_msf;
-using pcl_msf::testing::expectIoError;
-using pcl_msf::testing::readFile;
-using pcl_msf::testing::TemporaryFolder;
-using pcl_msf::testing::writeFile;
+using namespace pcl_msf::testing;
 
 const float kNan = std::numeric_limits<float>::quiet_NaN();
 

@@ -12,9 +12,7 @@
 namespace {
 
 using namespace pcl_msf;
-using pcl_msf::testing::expectIoError;
-using pcl_msf::testing::TemporaryFolder;
-using pcl_msf::testing::writeFile;
+using namespace pcl_msf::testing;
 
 TEST (TextFiles, CameraRoundTripsExactly)
 {

@@ -4,28 +4,25 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "temporary_folder.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/synthetic/sequence_writer.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 namespace {
 
 using namespace pcl_msf;
+using namespace pcl_msf::testing;
 
-class SyntheticFiles : public testing::Test {
+class SyntheticFiles : public ::testing::Test {
 protected:
   void
   SetUp () override
   {
-    folder_ = (std::filesystem::temp_directory_path() /
-               ("pcl_msf_synthetic_" + std::to_string (getpid())))
-                  .string();
     SequenceOptions options;
     options.scene = Scene::Street; // has a sky, so unknown values, too
     options.width = 96;
@@ -34,20 +31,12 @@ protected:
     sequence_ = synthesize (options);
   }
 
-  void
-  TearDown () override
-  {
-    std::filesystem::remove_all (folder_);
-  }
-
   std::string
   bytesOf (const std::string& name) const
   {
-    std::ifstream stream (folder_ + "/" + name, std::ios::binary);
-    EXPECT_TRUE (stream.is_open()) << name;
-    std::ostringstream bytes;
-    bytes << stream.rdbuf();
-    return bytes.str();
+    const std::string path = folder_ + "/" + name;
+    EXPECT_TRUE (std::filesystem::exists (path)) << path;
+    return readFile (path);
   }
 
   std::vector<double>
@@ -60,7 +49,8 @@ protected:
     return numbers;
   }
 
-  std::string folder_;
+  TemporaryFolder temporary_;
+  const std::string folder_ = temporary_ ("sequence");
   SyntheticSequence sequence_;
 };
 
@@ -242,7 +232,7 @@ TEST_F (SyntheticFiles, SintelHasItsFolders)
 
 TEST_F (SyntheticFiles, SaysWhatCannotBeWritten)
 {
-  std::ofstream (folder_) << "a file where a folder should be";
+  writeFile (folder_, "a file where a folder should be");
   try {
     writeSequence (sequence_, folder_);
     FAIL() << "wrote into a file";

@@ -9,6 +9,7 @@
 #include "options.h"
 #include "output.h"
 #include "pipeline.h"
+#include <pcl_msf/io/folders.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -59,7 +60,7 @@ printSummary (const Outcome& outcome, const std::string& folder)
 int
 run (const Options& options)
 {
-  makeFolder (options.output);
+  io::makeFolder (options.output);
   Outcome outcome = runPipeline (options);
   writeOutcome (outcome, options);
   if (!options.quiet)

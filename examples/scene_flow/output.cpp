@@ -4,7 +4,6 @@
 
 #include "interruption.h"
 #include "pictures.h"
-#include <pcl_msf/errors.h>
 #include <pcl_msf/io/float_files.h>
 #include <pcl_msf/io/images.h>
 
@@ -30,15 +29,6 @@ writeData (const Outcome& o, const std::filesystem::path& folder)
 }
 
 } // namespace
-
-void
-makeFolder (const std::string& path)
-{
-  std::error_code error;
-  std::filesystem::create_directories (path, error);
-  if (error || !std::filesystem::is_directory (path))
-    throw IoError (path + ": --output: the folder cannot be made; choose another");
-}
 
 void
 writeOutcome (Outcome& outcome, const Options& options)

@@ -4,13 +4,7 @@
 
 #include "pipeline.h"
 
-#include <string>
-
 namespace pcl_msf::tool {
-
-/** \brief Makes the folder, and its parents. \throws IoError */
-void
-makeFolder (const std::string& path);
 
 /** \brief Writes all files of the result, report.json last; notes the time that took in
  * the outcome. \throws IoError, Interrupted */

@@ -3,6 +3,7 @@
 #include "io/output_file.h"
 
 #include <pcl_msf/errors.h>
+#include <pcl_msf/io/folders.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -26,6 +27,15 @@ temporaryName (const std::filesystem::path& path)
 }
 
 } // namespace
+
+void
+makeFolder (const std::string& path)
+{
+  std::error_code error;
+  std::filesystem::create_directories (path, error);
+  if (error || !std::filesystem::is_directory (path))
+    throw IoError (path + ": the folder cannot be made; choose another");
+}
 
 void
 writeThenRename (const std::string& path,

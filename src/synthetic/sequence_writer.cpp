@@ -4,26 +4,17 @@
 
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/float_files.h>
+#include <pcl_msf/io/folders.h>
 #include <pcl_msf/io/images.h>
 #include <pcl_msf/io/text_files.h>
 #include <pcl_msf/synthetic/sequence_writer.h>
 
 #include <cmath>
-#include <filesystem>
 #include <iomanip>
 #include <sstream>
 
 namespace pcl_msf {
 namespace {
-
-void
-makeFolder (const std::string& folder)
-{
-  std::error_code error;
-  std::filesystem::create_directories (folder, error);
-  if (error || !std::filesystem::is_directory (folder))
-    throw IoError ("cannot make the folder " + folder + ": " + error.message());
-}
 
 /** Depth as Sintel has it: 0 where nothing was hit. */
 void
@@ -63,7 +54,7 @@ objectPoses (const SyntheticSequence& sequence, std::size_t k)
 void
 writeCaseTruth (const SyntheticSequence& sequence, const std::string& folder)
 {
-  makeFolder (folder);
+  io::makeFolder (folder);
   cv::Mat labels;
   cv::Mat shown = sequence.labels.clone();
   shown.setTo (255, sequence.labels < 0);
@@ -110,8 +101,8 @@ writeCase (const SyntheticSequence& sequence,
 void
 writeTum (const SyntheticSequence& sequence, const std::string& folder)
 {
-  makeFolder (folder + "/rgb");
-  makeFolder (folder + "/depth");
+  io::makeFolder (folder + "/rgb");
+  io::makeFolder (folder + "/depth");
   std::ostringstream rgb, depth, poses;
   rgb << "# color images\n# timestamp filename\n";
   depth << "# depth maps\n# timestamp filename\n";
@@ -142,7 +133,7 @@ writeSintelTruth (const GroundTruth& truth,
                   const std::string& file)
 {
   for (const char* kind : {"flow", "occlusions", "invalid"})
-    makeFolder (folder + "/" + kind + file.substr (0, file.rfind ('/')));
+    io::makeFolder (folder + "/" + kind + file.substr (0, file.rfind ('/')));
   io::writeFlow (folder + "/flow" + file + ".flo", truth.flow);
   cv::Mat invalid (truth.flow.size(), CV_8UC1, cv::Scalar (255));
   for (int v = 0; v < invalid.rows; ++v)
@@ -162,7 +153,7 @@ writeSintel (const SyntheticSequence& sequence,
              const std::string& name)
 {
   for (const char* kind : {"clean", "depth", "camdata_left"})
-    makeFolder (folder + "/" + kind + "/" + name);
+    io::makeFolder (folder + "/" + kind + "/" + name);
   for (std::size_t k = 0; k < sequence.frames.size(); ++k) {
     std::ostringstream number;
     number << std::setw (4) << std::setfill ('0') << k + 1;
@@ -190,7 +181,7 @@ writeSequence (const SyntheticSequence& sequence,
     throw InvalidInput ("cannot write a sequence without frames to " + folder);
   if (!(options.depth_scale > 0.0) || !std::isfinite (options.depth_scale))
     throw InvalidInput ("depth_scale must be positive");
-  makeFolder (folder);
+  io::makeFolder (folder);
   switch (options.layout) {
   case SequenceLayout::Cases:
     return writeCase (sequence, folder, options);

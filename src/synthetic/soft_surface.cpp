@@ -24,9 +24,9 @@ arc (double x, double& along, double& across)
 
 class SheetForm : public SoftForm {
 public:
-  SheetForm (double half_width, double phase, double start)
-  : bend_ (1.1 * std::sin (0.08 * phase + start) / half_width)
-  , twist_ (0.9 * std::sin (0.07 * phase + 0.4 - start) / half_width)
+  SheetForm (const Eigen::Vector2d& half, double phase, double start)
+  : bend_ (1.1 * std::sin (0.08 * phase + start) / half.x())
+  , twist_ (0.9 * std::sin (0.07 * phase + 0.4 - start) / half.x())
   , ripple_ (start - 0.12 * phase)
   {}
 
@@ -87,39 +87,17 @@ private:
   double wave_, sway_;    ///< radians
 };
 
-class BendingSheet : public SoftSurface {
+/** The surface whose shape at a phase is Form (half, phase, start). */
+template <typename Form>
+class SurfaceOf : public SoftSurface {
 public:
-  BendingSheet (const Eigen::Vector2d& half, double start)
-  : half_ (half), start_ (start)
+  SurfaceOf (const Eigen::Vector2d& half, double start) : half_ (half), start_ (start)
   {}
 
   std::unique_ptr<SoftForm>
   formAt (double phase) const override
   {
-    return std::make_unique<SheetForm> (half_.x(), phase, start_);
-  }
-
-  Eigen::Vector2d
-  halfSize () const override
-  {
-    return half_;
-  }
-
-private:
-  Eigen::Vector2d half_;
-  double start_;
-};
-
-class BreathingTorso : public SoftSurface {
-public:
-  BreathingTorso (const Eigen::Vector2d& half, double start)
-  : half_ (half), start_ (start)
-  {}
-
-  std::unique_ptr<SoftForm>
-  formAt (double phase) const override
-  {
-    return std::make_unique<TorsoForm> (half_, phase, start_);
+    return std::make_unique<Form> (half_, phase, start_);
   }
 
   Eigen::Vector2d
@@ -138,13 +116,13 @@ private:
 SoftSurfacePtr
 makeBendingSheet (const Eigen::Vector2d& half, double start)
 {
-  return std::make_shared<BendingSheet> (half, start);
+  return std::make_shared<SurfaceOf<SheetForm>> (half, start);
 }
 
 SoftSurfacePtr
 makeBreathingTorso (const Eigen::Vector2d& half, double start)
 {
-  return std::make_shared<BreathingTorso> (half, start);
+  return std::make_shared<SurfaceOf<TorsoForm>> (half, start);
 }
 
 } // namespace synthetic
