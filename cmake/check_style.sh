@@ -20,11 +20,12 @@ clang-format --dry-run -Werror "${files[@]}"
 echo "clang-format: ${#files[@]} files are as .clang-format has it"
 [ "${1:-}" = --format-only ] && exit 0
 
+# CMake leaves the standard to the compiler where it is the default; clang-tidy's is older.
 cmake -S . -B "$build_dir" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON >/dev/null
 mapfile -t sources < <(git ls-files '*.cpp' | while read -r file; do
   grep -q "\"file\": \".*/$file\"" "$build_dir/compile_commands.json" && echo "$file" || true
 done)
 printf '%s\n' "${sources[@]}" |
-  xargs -P "$jobs" -n 1 clang-tidy --quiet -p "$build_dir" \
+  xargs -P "$jobs" -n 1 clang-tidy --quiet -p "$build_dir" --extra-arg=-std=c++17 \
     --header-filter='.*/(include/pcl_msf|src)/.*'
 echo "clang-tidy: ${#sources[@]} files"
