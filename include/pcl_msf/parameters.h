@@ -10,7 +10,8 @@ namespace pcl_msf {
 /** \brief Where the reference's normals come from. */
 enum class NormalMethod {
   CentralDifferences, ///< Eq. 9: cross product of central differences
-  IntegralImage       ///< pcl::IntegralImageNormalEstimation
+  IntegralImage,      ///< pcl::IntegralImageNormalEstimation
+  None                ///< not computed: enough for a frame that is only a target
 };
 
 /** \brief How a frame is prepared. */
@@ -91,6 +92,7 @@ struct SolverParameters {
   LinearSolver linear_solver{LinearSolver::Cgnr};
   int levels{4};             ///< pyramid levels to use at the most, [1, 10]
   bool flow_proposals{true}; ///< start from optical flow lifted by depth as well
+  bool blend_motions{true};  ///< move points by their neighbours' motions, too
   bool merge_bodies{true};   ///< merge segments that move as one rigid body
   unsigned threads{0};       ///< 0 = all; the result does not depend on it
 

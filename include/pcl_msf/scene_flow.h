@@ -27,7 +27,8 @@ struct SegmentMotion {
   MotionStatus status{MotionStatus::Undetermined};
   int points{0};         ///< points with depth
   int visible_points{0}; ///< of those, seen in the current frame, too
-  int body{-1};          ///< motion group: segments that move together
+  int body{-1}; ///< motion group: one rigid body, or several that the optimization
+                ///< kept connected; 0 = the largest
   Eigen::Vector3d centroid{Eigen::Vector3d::Zero()}; ///< reference frame, metres
 };
 
@@ -114,8 +115,9 @@ struct SceneFlow {
   std::vector<SegmentPair> pairs; ///< first < second
   int bodies{0};                  ///< number of motion groups
   int dominant_body{-1};          ///< the motion group with most points
-  RigidPose dominant_motion; ///< its pose; its inverse is the camera's own motion when
-                             ///< that group is the static scene
+  RigidPose
+      dominant_motion; ///< pose of its largest rigid body; its inverse is the camera's
+                       ///< own motion when that group is the static scene
   Report report;
 
   /** \brief Moves a point by a segment's motion. NaN when the label is none or the

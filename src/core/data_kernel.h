@@ -52,7 +52,7 @@ struct Motion {
 
 /** \brief The loss and the rules for visibility. */
 struct Rules {
-  float huber;             ///< epsilon of Eq. 7, standard deviations; < 0: L2
+  float huber;             ///< epsilon of Eq. 7, standard deviations; huge: L2
   float conflict_cost;     ///< of an ICP residual before or far off the frame's surface
   float occluded_cost;     ///< of a residual behind the frame's surface
   float outside_cost;      ///< of a residual that leaves the image

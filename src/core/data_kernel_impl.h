@@ -33,6 +33,28 @@ struct Block {
   S jb[6][kBlock], ji[6][kBlock];
 };
 
+/** 1 where a condition holds, else 0: keeps the loops free of branches. */
+template <typename S>
+PCL_MSF_INLINE S
+mask (bool condition)
+{
+  return condition ? S (1) : S (0);
+}
+
+template <typename S>
+PCL_MSF_INLINE S
+smaller (S a, S b)
+{
+  return a < b ? a : b;
+}
+
+template <typename S>
+PCL_MSF_INLINE S
+larger (S a, S b)
+{
+  return a > b ? a : b;
+}
+
 template <typename S>
 PCL_MSF_INLINE void
 warp (
@@ -51,7 +73,7 @@ warp (
     const S qx = r0 * x + r1 * y + r2 * z + t0;
     const S qy = r3 * x + r4 * y + r5 * z + t1;
     const S qz = r6 * x + r7 * y + r8 * z + t2;
-    const S iz = S (1) / std::max (qz, S (1e-3));
+    const S iz = S (1) / larger (qz, S (1e-3));
     k.qx[i] = qx;
     k.qy[i] = qy;
     k.qz[i] = qz;
@@ -91,10 +113,10 @@ sampleIntensity (const Points& p, int first, int n, const Image& image, Block<S>
   const float* const texels = image.texels;
 #pragma omp simd
   for (int i = 0; i < n; ++i) {
-    const S u = std::min (std::max (k.u[i], S (0)), last_u);
-    const S v = std::min (std::max (k.v[i], S (0)), last_v);
-    const int u0 = std::min (static_cast<int> (u), image.width - 2);
-    const int v0 = std::min (static_cast<int> (v), image.height - 2);
+    const S u = smaller (larger (k.u[i], S (0)), last_u);
+    const S v = smaller (larger (k.v[i], S (0)), last_v);
+    const int u0 = smaller (static_cast<int> (u), image.width - 2);
+    const int v0 = smaller (static_cast<int> (v), image.height - 2);
     const S a = u - static_cast<S> (u0);
     const S b = v - static_cast<S> (v0);
     const int at = v0 * row + 2 * u0;
@@ -105,11 +127,11 @@ sampleIntensity (const Points& p, int first, int n, const Image& image, Block<S>
     const S top = i00 + a * (i10 - i00);
     const S low = i01 + a * (i11 - i01);
     const S scale = p.brightness_scale[first + i];
-    const bool in_u = k.u[i] == u;
-    const bool in_v = k.v[i] == v;
+    const S in_u = mask<S> (k.u[i] == u) * scale; // the clamped border is flat
+    const S in_v = mask<S> (k.v[i] == v) * scale;
     k.brightness[i] = (top + b * (low - top) - S (p.intensity[first + i])) * scale;
-    k.gu[i] = in_u ? ((i10 - i00) + b * ((i11 - i01) - (i10 - i00))) * scale : S (0);
-    k.gv[i] = in_v ? (low - top) * scale : S (0);
+    k.gu[i] = ((i10 - i00) + b * ((i11 - i01) - (i10 - i00))) * in_u;
+    k.gv[i] = (low - top) * in_v;
   }
 }
 
@@ -127,13 +149,16 @@ correspond (const Points& p,
   const S last_u = image.width - 1;
   const S last_v = image.height - 1;
   const int row = 2 * image.width;
+  const int end_u = image.width - 2;
+  const int end_v = image.height - 2;
   const float* const texels = image.texels + 1;
+  int bits[kBlock];
 #pragma omp simd
   for (int i = 0; i < n; ++i) {
-    const S u = std::min (std::max (k.u[i], S (0)), last_u);
-    const S v = std::min (std::max (k.v[i], S (0)), last_v);
-    const int u0 = std::min (static_cast<int> (u), image.width - 2);
-    const int v0 = std::min (static_cast<int> (v), image.height - 2);
+    const S u = smaller (larger (k.u[i], S (0)), last_u);
+    const S v = smaller (larger (k.v[i], S (0)), last_v);
+    const int u0 = smaller (static_cast<int> (u), end_u);
+    const int v0 = smaller (static_cast<int> (v), end_v);
     const S a = u - static_cast<S> (u0);
     const S b = v - static_cast<S> (v0);
     const int at = v0 * row + 2 * u0;
@@ -141,34 +166,37 @@ correspond (const Points& p,
     const S w10 = texels[at + 2];
     const S w01 = texels[at + row];
     const S w11 = texels[at + row + 2];
-    const S high = std::max (std::max (w00, w10), std::max (w01, w11));
-    const S low = std::min (std::min (w00, w10), std::min (w01, w11));
+    const S high = larger (larger (w00, w10), larger (w01, w11));
+    const S low = smaller (smaller (w00, w10), smaller (w01, w11));
     const S tolerance = p.depth_tolerance[first + i];
     const S top = w00 + a * (w10 - w00);
     const S bottom = w01 + a * (w11 - w01);
-    const S left = b < S (0.5) ? w00 : w01;
-    const S right = b < S (0.5) ? w10 : w11;
-    const S nearest = a < S (0.5) ? left : right;
-    const bool one_surface = low > S (0) && high - low < tolerance;
-    const S w = one_surface ? top + b * (bottom - top) : nearest;
-    const bool inside = (k.u[i] >= S (-0.5)) & (k.u[i] <= last_u + S (0.5)) &
-                        (k.v[i] >= S (-0.5)) & (k.v[i] <= last_v + S (0.5)) &
-                        (k.qz[i] > S (1e-3));
+    // Bilinear on one surface, the nearest texel where surfaces meet.
+    const S right = mask<S> (a >= S (0.5));
+    const S lower = mask<S> (b >= S (0.5));
+    const S left_value = w00 + lower * (w01 - w00);
+    const S right_value = w10 + lower * (w11 - w10);
+    const S nearest = left_value + right * (right_value - left_value);
+    const S smooth = mask<S> (low > S (0)) * mask<S> (high - low < tolerance);
+    const S w = nearest + smooth * (top + b * (bottom - top) - nearest);
+    const S inside = mask<S> (k.u[i] >= S (-0.5)) * mask<S> (k.v[i] >= S (-0.5)) *
+                     mask<S> (k.u[i] <= last_u + S (0.5)) *
+                     mask<S> (k.v[i] <= last_v + S (0.5)) *
+                     mask<S> (k.qz[i] > S (1e-3));
     const S behind = w - k.iz[i]; // > 0: the frame shows something nearer
-    const bool known = w > S (0);
-    const bool occluded = known & (behind > tolerance);
-    const bool fits = known & (behind > S (-3) * tolerance) & !occluded;
+    const S known = mask<S> (w > S (1e-6));
+    const S occluded = known * mask<S> (behind > tolerance);
+    const S fits = known * mask<S> (behind > S (-3) * tolerance) * (S (1) - occluded);
     const S ray = k.nx[i] * k.qx[i] + k.ny[i] * k.qy[i] + k.nz[i] * k.qz[i];
-    const S inverse_w = S (1) / std::max (w, S (1e-6));
-    plane_offset[i] = static_cast<float> (ray * k.iz[i] * inverse_w);
-    const int brightness = (inside & !occluded) ? kBrightness : 0;
-    const int icp = (inside & fits) ? kIcp : 0;
-    const int hidden = (inside & occluded) ? kOccluded : 0;
-    const int outside = inside ? 0 : kOutside;
-    const int unknown = (inside & !known) ? kUnknown : 0;
-    active[i] =
-        static_cast<std::uint8_t> (brightness | icp | hidden | outside | unknown);
+    plane_offset[i] = static_cast<float> (ray * k.iz[i] / larger (w, S (1e-6)));
+    bits[i] = static_cast<int> (inside * (S (kBrightness) * (S (1) - occluded) +
+                                          S (kIcp) * fits + S (kOccluded) * occluded +
+                                          S (kUnknown) * (S (1) - known)) +
+                                S (kOutside) * (S (1) - inside));
   }
+#pragma omp simd
+  for (int i = 0; i < n; ++i)
+    active[i] = static_cast<std::uint8_t> (bits[i]);
 }
 
 template <typename S>
@@ -181,37 +209,40 @@ planeDistance (const Points& p,
                const Rules& rules,
                Block<S>& k)
 {
-  const S conflict_cost = rules.conflict_cost, occluded_cost = rules.occluded_cost;
-  const S outside_cost = rules.outside_cost, unknown_cost = rules.unknown_cost;
+  const S conflict = rules.conflict_cost;
+  const S occluded = S (rules.occluded_cost) - conflict;
+  const S outside = S (rules.outside_cost) - conflict;
+  const S unknown = S (rules.unknown_cost) - conflict;
 #pragma omp simd
   for (int i = 0; i < n; ++i) {
     const S along = k.nx[i] * k.qx[i] + k.ny[i] * k.qy[i] + k.nz[i] * k.qz[i];
     k.icp[i] = (along - S (plane_offset[i])) * S (p.icp_scale[first + i]);
-    k.brightness_on[i] = (active[i] & kBrightness) ? S (1) : S (0);
-    k.icp_on[i] = (active[i] & kIcp) ? S (1) : S (0);
-    const S seen = (active[i] & kUnknown) ? unknown_cost : conflict_cost;
-    const S covered = (active[i] & kOccluded) ? occluded_cost : seen;
-    k.hidden[i] = (active[i] & kOutside) ? outside_cost : covered;
+    const int bits = active[i];
+    k.brightness_on[i] = static_cast<S> (bits & 1);
+    k.icp_on[i] = static_cast<S> ((bits >> 1) & 1);
+    k.hidden[i] = conflict + occluded * static_cast<S> ((bits >> 2) & 1) +
+                  outside * static_cast<S> ((bits >> 3) & 1) +
+                  unknown * static_cast<S> ((bits >> 4) & 1);
   }
 }
 
-/** Eq. 7 with rho (r) = r^2 / 2 inside: cost and weight rho' / r. */
+/** Eq. 7 with rho (r) = r^2 / 2 inside: q (|r| - q / 2) with q = min (|r|, epsilon). */
 template <typename S>
 PCL_MSF_INLINE S
 robustCost (S r, S huber)
 {
   const S magnitude = std::abs (r);
-  const bool quadratic = (huber < S (0)) | (magnitude <= huber);
-  return quadratic ? S (0.5) * r * r : huber * (magnitude - S (0.5) * huber);
+  const S q = smaller (magnitude, huber);
+  return q * (magnitude - S (0.5) * q);
 }
 
+/** rho' (r) / r. */
 template <typename S>
 PCL_MSF_INLINE S
 robustWeight (S r, S huber)
 {
-  const S magnitude = std::max (std::abs (r), S (1e-6));
-  const bool quadratic = (huber < S (0)) | (magnitude <= huber);
-  return quadratic ? S (1) : huber / magnitude;
+  const S magnitude = larger (S (std::abs (r)), S (1e-6));
+  return smaller (magnitude, huber) / magnitude;
 }
 
 /** Adds the block's costs. Points whose residual is switched off do not count. */
@@ -225,25 +256,23 @@ addCosts (const Points& p,
           Sums& sums)
 {
   const S huber = rules.huber;
-  const S limit = rules.truncation;
+  const S limit = mode == Mode::Probe ? S (rules.truncation) : S (1e30);
   S brightness = 0;
   S icp = 0;
   S hidden_brightness = 0;
   S hidden_icp = 0;
 #pragma omp simd reduction(+ : brightness, icp, hidden_brightness, hidden_icp)
   for (int i = 0; i < n; ++i) {
-    S cb = robustCost (k.brightness[i], huber);
-    S ci = robustCost (k.icp[i], huber);
-    if (mode == Mode::Probe) {
-      cb = std::min (cb, limit);
-      ci = std::min (ci, limit);
-    }
-    const S has_b = p.brightness_scale[first + i] > 0.0f ? S (1) : S (0);
-    const S has_i = p.icp_scale[first + i] > 0.0f ? S (1) : S (0);
-    brightness += has_b * (k.brightness_on[i] > S (0) ? cb : k.hidden[i]);
-    icp += has_i * (k.icp_on[i] > S (0) ? ci : k.hidden[i]);
-    hidden_brightness += has_b * (S (1) - k.brightness_on[i]);
-    hidden_icp += has_i * (S (1) - k.brightness_on[i]);
+    const S cb = smaller (robustCost (k.brightness[i], huber), limit);
+    const S ci = smaller (robustCost (k.icp[i], huber), limit);
+    const S has_b = mask<S> (p.brightness_scale[first + i] > 0.0f);
+    const S has_i = mask<S> (p.icp_scale[first + i] > 0.0f);
+    const S on_b = k.brightness_on[i];
+    const S on_i = k.icp_on[i];
+    brightness += has_b * (on_b * cb + (S (1) - on_b) * k.hidden[i]);
+    icp += has_i * (on_i * ci + (S (1) - on_i) * k.hidden[i]);
+    hidden_brightness += has_b * (S (1) - on_b);
+    hidden_icp += has_i * (S (1) - on_b);
   }
   sums.brightness_cost += static_cast<double> (brightness) * rules.brightness_weight;
   sums.icp_cost += static_cast<double> (icp) * rules.icp_weight;

@@ -59,9 +59,10 @@ toPoseParameters (const kernel::Sums& sums,
 kernel::Rules
 makeRules (const EnergyParameters& energy, const SegmentPixels& pixels)
 {
+  constexpr double kNever = 1e15;
   double huber = energy.huber_threshold;
   if (energy.loss == LossType::L2)
-    huber = -1.0;
+    huber = kNever;
   // A zero threshold is the l1 norm; the limit of Eq. 7 divided by epsilon.
   constexpr double kTiny = 1e-3;
   double scale = 1.0;
@@ -72,9 +73,8 @@ makeRules (const EnergyParameters& energy, const SegmentPixels& pixels)
   kernel::Rules rules{};
   rules.huber = static_cast<float> (huber);
   const auto cost_of = [huber] (double sigmas) {
-    return static_cast<float> (huber < 0.0 || huber >= sigmas
-                                   ? 0.5 * sigmas * sigmas
-                                   : huber * (sigmas - 0.5 * huber));
+    return static_cast<float> (huber >= sigmas ? 0.5 * sigmas * sigmas
+                                               : huber * (sigmas - 0.5 * huber));
   };
   rules.conflict_cost = cost_of (4);
   rules.occluded_cost = cost_of (2.5);

@@ -13,6 +13,7 @@ namespace pcl_msf {
 
 namespace {
 
+constexpr double kTogether = 0.95;   // lifting weight that makes a motion group
 constexpr double kConnected = 0.5;   // lifting weight of a surviving connection
 constexpr double kSeenEnough = 0.15; // share of visible points that decides
 constexpr double kRankShare = 1e-5;  // of the largest eigenvalue
@@ -51,16 +52,6 @@ radiusOf (const SegmentPixels& p, int k)
   return std::sqrt (sum / std::max (1, p.size (k)));
 }
 
-Visibility
-visibilityOf (std::uint8_t active)
-{
-  if (active & kernel::kOutside)
-    return OutOfView;
-  if (active & kernel::kOccluded)
-    return Occluded;
-  return active & kernel::kIcp ? Visible : Unknown;
-}
-
 void
 fillOwnMotion (const DataTerm& data,
                const MotionState& state,
@@ -84,6 +75,44 @@ fillOwnMotion (const DataTerm& data,
   const bool seen = motion.visible_points > kSeenEnough * motion.points;
   motion.status =
       seen && motion.rank == 6 ? MotionStatus::Determined : MotionStatus::Undetermined;
+}
+
+/** Segments whose own points leave a freedom are supported by their body when all its
+ * points together leave none. */
+void
+supportBodies (const DataTerm& data,
+               const MotionState& state,
+               double residual_scale,
+               std::vector<SegmentMotion>& segments)
+{
+  const SegmentPixels& p = data.pixels();
+  std::vector<Matrix6> information (state.poses.size(), Matrix6::Zero());
+  std::vector<Eigen::Vector3d> center (state.poses.size(), Eigen::Vector3d::Zero());
+  std::vector<double> points (state.poses.size(), 0.0);
+  std::vector<double> spread (state.poses.size(), 0.0);
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const int b = state.body_of[k];
+    information[b] += residual_scale * data.of (static_cast<int> (k)).information;
+    center[b] += segments[k].points * segments[k].centroid;
+    points[b] += segments[k].points;
+  }
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const int b = state.body_of[k];
+    const double radius = radiusOf (p, static_cast<int> (k));
+    const Eigen::Vector3d mean = center[b] / std::max (1.0, points[b]);
+    spread[b] += segments[k].points *
+                 (radius * radius + (segments[k].centroid - mean).squaredNorm());
+  }
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    const int b = state.body_of[k];
+    const double n = std::max (1.0, points[b]);
+    const bool whole = numericalRank (information[b],
+                                      state.poses[b],
+                                      center[b] / n,
+                                      std::sqrt (spread[b] / n)) == 6;
+    if (segments[k].status == MotionStatus::Undetermined && whole)
+      segments[k].status = MotionStatus::Supported;
+  }
 }
 
 /** Undetermined segments are supported by determined ones of their body or beyond a
@@ -110,16 +139,49 @@ spreadSupport (const std::vector<SegmentPair>& pairs,
   }
 }
 
-/** Motion groups: bodies joined by surviving weights between nearly equal motions. */
-void
-numberBodies (std::vector<SegmentMotion>& segments, SceneFlow& result)
+/** Joins bodies over surviving connections: motion groups. */
+std::vector<int>
+groupBodies (const MotionState& state, const std::vector<SegmentPair>& pairs)
 {
-  std::vector<int> points;
-  for (const SegmentMotion& s : segments) {
-    if (s.body >= static_cast<int> (points.size()))
-      points.resize (s.body + 1, 0);
-    points[s.body] += s.points;
-  }
+  std::vector<int> group (state.poses.size());
+  std::iota (group.begin(), group.end(), 0);
+  const auto root = [&] (int b) {
+    while (group[b] != b)
+      b = group[b];
+    return b;
+  };
+  for (const SegmentPair& pair : pairs)
+    if (pair.weight >= kTogether) {
+      const int a = root (state.body_of[pair.first]);
+      const int b = root (state.body_of[pair.second]);
+      group[std::max (a, b)] = std::min (a, b);
+    }
+  for (int& g : group)
+    g = root (g);
+  return group;
+}
+
+/** Points per body or group. */
+std::vector<int>
+countPoints (const std::vector<SegmentMotion>& segments, const std::vector<int>& of)
+{
+  std::vector<int> points (of.empty() ? 0
+                                      : 1 + *std::max_element (of.begin(), of.end()));
+  for (std::size_t k = 0; k < segments.size(); ++k)
+    points[of[k]] += segments[k].points;
+  return points;
+}
+
+/** Numbers the motion groups by size and finds the dominant motion: that of the largest
+ * rigid body in the largest group. */
+void
+numberGroups (const MotionState& state, SceneFlow& result)
+{
+  const std::vector<int> group_of_body = groupBodies (state, result.pairs);
+  std::vector<int> group_of (state.body_of.size());
+  for (std::size_t k = 0; k < group_of.size(); ++k)
+    group_of[k] = group_of_body[state.body_of[k]];
+  const std::vector<int> points = countPoints (result.segments, group_of);
   std::vector<int> order (points.size());
   std::iota (order.begin(), order.end(), 0);
   std::stable_sort (
@@ -127,10 +189,19 @@ numberBodies (std::vector<SegmentMotion>& segments, SceneFlow& result)
   std::vector<int> rank (points.size());
   for (std::size_t i = 0; i < order.size(); ++i)
     rank[order[i]] = static_cast<int> (i);
-  for (SegmentMotion& s : segments)
-    s.body = rank[s.body];
-  result.bodies = static_cast<int> (points.size());
-  result.dominant_body = points.empty() ? -1 : 0;
+  const std::vector<int> body_points = countPoints (result.segments, state.body_of);
+  int largest = -1;
+  for (std::size_t k = 0; k < group_of.size(); ++k) {
+    result.segments[k].body = rank[group_of[k]];
+    result.bodies = std::max (result.bodies, result.segments[k].body + 1);
+    const int body = state.body_of[k];
+    if (result.segments[k].body == 0 &&
+        (largest < 0 || body_points[body] > body_points[largest]))
+      largest = body;
+  }
+  result.dominant_body = largest < 0 ? -1 : 0;
+  if (largest >= 0)
+    result.dominant_motion = state.poses[largest];
 }
 
 } // namespace
@@ -154,53 +225,9 @@ fillSegments (const DataTerm& data,
                              links[i].second,
                              one_body ? 1.0 : std::abs (state.weights[i])});
   }
+  supportBodies (data, state, residual_scale, result.segments);
   spreadSupport (result.pairs, result.segments);
-  numberBodies (result.segments, result);
-  for (const SegmentMotion& s : result.segments)
-    if (s.body == result.dominant_body) {
-      result.dominant_motion = s.current_from_reference;
-      break;
-    }
-}
-
-void
-fillPoints (const DataTerm& data,
-            const PinholeCamera& camera,
-            int threads,
-            SceneFlow& result)
-{
-  const SegmentPixels& p = data.pixels();
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  const cv::Size size = result.labels.size();
-  result.points = cv::Mat (size, CV_32FC3, cv::Scalar::all (nan));
-  result.displacement = cv::Mat (size, CV_32FC3, cv::Scalar::all (nan));
-  result.flow = cv::Mat (size, CV_32FC2, cv::Scalar::all (nan));
-  result.visibility = cv::Mat (size, CV_8UC1, cv::Scalar (NoDepth));
-#pragma omp parallel for schedule(dynamic, 8) num_threads(threads)
-  for (int k = 0; k < p.segments(); ++k) {
-    const SegmentMotion& motion = result.segments[k];
-    const Eigen::Matrix3d r = motion.current_from_reference.rotation();
-    const Eigen::Vector3d t = motion.current_from_reference.translation();
-    for (int i = p.begin[k]; i < p.begin[k + 1]; ++i) {
-      const int x = p.pixel[i] % size.width;
-      const int y = p.pixel[i] / size.width;
-      const Eigen::Vector3d point (p.x[i], p.y[i], p.z[i]);
-      result.points.at<cv::Vec3f> (y, x) = {p.x[i], p.y[i], p.z[i]};
-      result.visibility.at<unsigned char> (y, x) = visibilityOf (data.active()[i]);
-      if (motion.status == MotionStatus::Undetermined) {
-        result.visibility.at<unsigned char> (y, x) = Unknown;
-        continue;
-      }
-      const Eigen::Vector3d q = r * point + t;
-      const Eigen::Vector3f d = (q - point).cast<float>();
-      result.displacement.at<cv::Vec3f> (y, x) = {d.x(), d.y(), d.z()};
-      if (q.z() <= 1e-3)
-        continue;
-      const Eigen::Vector2d uv = camera.project (q);
-      result.flow.at<cv::Vec2f> (y, x) = {static_cast<float> (uv.x() - x),
-                                          static_cast<float> (uv.y() - y)};
-    }
-  }
+  numberGroups (state, result);
 }
 
 } // namespace pcl_msf

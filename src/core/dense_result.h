@@ -10,15 +10,6 @@
 
 namespace pcl_msf {
 
-/** \brief Fills in what every point does: points, displacement, flow, visibility.
- * \param data of level 0, linearized at the state
- * \param result with labels and the segments' motions and status */
-void
-fillPoints (const DataTerm& data,
-            const PinholeCamera& target_camera,
-            int threads,
-            SceneFlow& result);
-
 /** \brief Fills in the segments' motions, information, status, and the bodies.
  * \param residual_scale energy times this = sum of 1/2 (residual / sigma)^2 */
 void

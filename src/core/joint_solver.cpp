@@ -66,42 +66,45 @@ JointEnergy::unit (const SegmentLink& link) const
 }
 
 double
-JointEnergy::linkStrength (int i, const RigidPose& first, const RigidPose& second) const
+JointEnergy::squaredDifference (int i,
+                                const UnpackedPose& first,
+                                const UnpackedPose& second) const
 {
   const SegmentLink& link = links_[i];
-  const double d2 =
-      poseDifference (first, second, link, unit (link), parameters_.pose_difference)
-          .squaredNorm();
-  return parameters_.prior_weight /
-         (parameters_.regularizer_weight * d2 + parameters_.prior_weight);
+  return poseDifference (first, second, link, unit (link), parameters_.pose_difference)
+      .squaredNorm();
 }
 
 double
-JointEnergy::couplingCost (int i, const RigidPose& first, const RigidPose& second) const
+JointEnergy::linkStrength (int i,
+                           const UnpackedPose& first,
+                           const UnpackedPose& second) const
 {
-  const SegmentLink& link = links_[i];
-  const double d2 =
-      poseDifference (first, second, link, unit (link), parameters_.pose_difference)
-          .squaredNorm();
-  const double gamma = parameters_.regularizer_weight;
   const double eta = parameters_.prior_weight;
-  return 0.5 * gamma * eta * d2 / ((gamma * d2 + eta) * links_.size());
+  return eta /
+         (parameters_.regularizer_weight * squaredDifference (i, first, second) + eta);
+}
+
+double
+JointEnergy::couplingCost (int i,
+                           const UnpackedPose& first,
+                           const UnpackedPose& second) const
+{
+  const double misfit =
+      parameters_.regularizer_weight * squaredDifference (i, first, second);
+  const double eta = parameters_.prior_weight;
+  return 0.5 * misfit * eta / ((misfit + eta) * links_.size());
 }
 
 void
 JointEnergy::relaxWeights (MotionState& state) const
 {
-  for (std::size_t i = 0; i < links_.size(); ++i) {
-    const SegmentLink& link = links_[i];
-    const double d2 = poseDifference (state.poseOf (link.first),
-                                      state.poseOf (link.second),
-                                      link,
-                                      unit (link),
-                                      parameters_.pose_difference)
-                          .squaredNorm();
+  const std::vector<UnpackedPose> poses (state.poses.begin(), state.poses.end());
+  for (std::size_t i = 0; i < links_.size(); ++i)
     state.weights[i] =
-        optimalWeight (d2, parameters_.regularizer_weight, parameters_.prior_weight);
-  }
+        std::sqrt (linkStrength (static_cast<int> (i),
+                                 poses[state.body_of[links_[i].first]],
+                                 poses[state.body_of[links_[i].second]]));
 }
 
 EnergyCost
@@ -114,15 +117,12 @@ JointEnergy::evaluate (const MotionState& state)
     cost.icp += data_.of (k).icp_cost;
   }
   const double share = 0.5 / std::max<std::size_t> (1, links_.size());
+  const std::vector<UnpackedPose> poses (state.poses.begin(), state.poses.end());
   for (std::size_t i = 0; i < links_.size(); ++i) {
-    const SegmentLink& link = links_[i];
     const double s = state.weights[i] * state.weights[i];
-    const double d2 = poseDifference (state.poseOf (link.first),
-                                      state.poseOf (link.second),
-                                      link,
-                                      unit (link),
-                                      parameters_.pose_difference)
-                          .squaredNorm();
+    const double d2 = squaredDifference (static_cast<int> (i),
+                                         poses[state.body_of[links_[i].first]],
+                                         poses[state.body_of[links_[i].second]]);
     cost.regularizer += share * parameters_.regularizer_weight * s * s * d2;
     cost.prior += share * parameters_.prior_weight * (1.0 - s) * (1.0 - s);
   }

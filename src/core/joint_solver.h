@@ -47,12 +47,12 @@ public:
 
   /** \brief Regularizer and prior of one link with its weight at its optimum. */
   double
-  couplingCost (int link, const RigidPose& first, const RigidPose& second) const;
+  couplingCost (int link, const UnpackedPose& first, const UnpackedPose& second) const;
 
   /** \brief w^2 of a link at its optimum: 1 = the poses agree, 0 = nothing in common.
    */
   double
-  linkStrength (int link, const RigidPose& first, const RigidPose& second) const;
+  linkStrength (int link, const UnpackedPose& first, const UnpackedPose& second) const;
 
   DataTerm&
   data ()
@@ -62,6 +62,10 @@ public:
 
 private:
   friend class JointProblem;
+  double
+  squaredDifference (int link,
+                     const UnpackedPose& first,
+                     const UnpackedPose& second) const;
   double
   unit (const SegmentLink& link) const;
 

@@ -18,6 +18,20 @@ struct SegmentLink {
   double lever{0.0};        ///< half the distance of the centroids, metres
 };
 
+/** \brief A pose unpacked, where its rotation is needed again and again. */
+struct UnpackedPose {
+  Eigen::Matrix3d rotation;
+  Eigen::Vector3d translation;
+  Eigen::Vector3d rotation_vector;
+
+  UnpackedPose() = default;
+  UnpackedPose (const RigidPose& pose)
+  : rotation (pose.rotation())
+  , translation (pose.translation())
+  , rotation_vector (pose.parameters[0], pose.parameters[1], pose.parameters[2])
+  {}
+};
+
 /** \brief The unknowns: a pose per body and a lifting weight per link.
  *
  * Each segment is a body of its own until bodies are merged.

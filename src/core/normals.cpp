@@ -14,14 +14,14 @@ namespace {
 
 constexpr float kSameSurface = 0.03f; // relative difference of inverse depth per pixel
 constexpr double kNormalError = 0.08; // radians aimed at
-constexpr int kMaxRadius = 4;
+constexpr int kMaxRadius = 4;         // even, as the step in wide windows is two
 
 /** Half width of the window in which slopes reach the aimed accuracy: the slope over a
  * (2r+1)^2 window has standard deviation sigma / sqrt (sum of x^2). */
 int
 slopeRadius (double focal, double noise, double typical_inverse_depth)
 {
-  for (int r = 1; r < kMaxRadius; ++r) {
+  for (int r = 1; r < kMaxRadius; r *= 2) {
     const double side = 2.0 * r + 1.0;
     const double sum_of_squares = side * r * (r + 1.0) * side / 3.0;
     if (focal * noise / (typical_inverse_depth * std::sqrt (sum_of_squares)) <
@@ -42,18 +42,19 @@ struct Slope {
 Slope
 slopeAt (const cv::Mat& w, int x, int y, int radius, float tolerance)
 {
+  const int step = radius > 2 ? 2 : 1; // every second pixel of a wide window will do
   const float center = w.at<float> (y, x);
   float xx = 0.0f;
   float xy = 0.0f;
   float yy = 0.0f;
   float xw = 0.0f;
   float yw = 0.0f;
-  for (int dy = -radius; dy <= radius; ++dy) {
+  for (int dy = -radius; dy <= radius; dy += step) {
     const int v = y + dy;
     if (v < 0 || v >= w.rows)
       continue;
     const float* row = w.ptr<float> (v);
-    for (int dx = -radius; dx <= radius; ++dx) {
+    for (int dx = -radius; dx <= radius; dx += step) {
       const int u = x + dx;
       if (u < 0 || u >= w.cols || row[u] <= 0.0f)
         continue;

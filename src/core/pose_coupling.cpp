@@ -20,19 +20,22 @@ poseFrom (const double* parameters)
 } // namespace
 
 Vector6
-poseDifference (const RigidPose& first,
-                const RigidPose& second,
+poseDifference (const UnpackedPose& first,
+                const UnpackedPose& second,
                 const SegmentLink& link,
                 double unit,
                 PoseDifference form)
 {
-  const Eigen::Map<const Vector6> a (first.parameters.data());
-  const Eigen::Map<const Vector6> b (second.parameters.data());
-  if (form == PoseDifference::Parameters)
-    return a - b;
   Vector6 d;
-  d.head<3>() = unit * (first * link.midpoint - second * link.midpoint);
-  d.tail<3>() = unit * link.lever * (a.head<3>() - b.head<3>());
+  const Eigen::Vector3d turn = first.rotation_vector - second.rotation_vector;
+  const Eigen::Vector3d shift = first.translation - second.translation;
+  if (form == PoseDifference::Parameters) {
+    d.head<3>() = turn;
+    d.tail<3>() = shift;
+    return d;
+  }
+  d.head<3>() = unit * ((first.rotation - second.rotation) * link.midpoint + shift);
+  d.tail<3>() = unit * link.lever * turn;
   return d;
 }
 

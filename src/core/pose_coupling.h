@@ -21,8 +21,8 @@ struct CouplingScale {
  * of their rotation vectors times the lever, both in units (pixels). Parameters: the
  * plain difference of the six parameters, as in the paper. */
 Vector6
-poseDifference (const RigidPose& first,
-                const RigidPose& second,
+poseDifference (const UnpackedPose& first,
+                const UnpackedPose& second,
                 const SegmentLink& link,
                 double unit,
                 PoseDifference form);

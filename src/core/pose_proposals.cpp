@@ -31,13 +31,14 @@ double
 PoseProposals::cost (int segment, const RigidPose& pose, const MotionState& state) const
 {
   const DataTerm::Probe probe = energy_.data().probe (segment, pose);
+  const UnpackedPose own (pose);
   double sum = probe.cost;
   double support = 0.0; // the strongest connection to a neighbour that is seen
   for (const Neighbor& n : neighbors_[segment]) {
-    const RigidPose& other = state.poseOf (n.segment);
-    sum += energy_.couplingCost (n.link, pose, other);
+    const UnpackedPose& other = present_[state.body_of[n.segment]];
+    sum += energy_.couplingCost (n.link, own, other);
     if (seen_[n.segment])
-      support = std::max (support, energy_.linkStrength (n.link, pose, other));
+      support = std::max (support, energy_.linkStrength (n.link, own, other));
   }
   return sum + probe.weight * probe.hidden * (1.0 - support) *
                    energy_.data().unsupportedCost();
@@ -47,6 +48,7 @@ void
 PoseProposals::lookWhoIsSeen (const MotionState& state)
 {
   const int segments = static_cast<int> (own_.size());
+  present_ = std::vector<UnpackedPose> (state.poses.begin(), state.poses.end());
   seen_.assign (segments, 0);
 #pragma omp parallel for schedule(dynamic, 8) num_threads(threads_)
   for (int k = 0; k < segments; ++k)

@@ -57,6 +57,7 @@ private:
   std::vector<std::vector<Neighbor>> neighbors_;
   std::vector<std::vector<RigidPose>> own_;
   std::vector<RigidPose> common_;
+  std::vector<UnpackedPose> present_; ///< poses of the round's state
   std::vector<char> seen_; ///< per segment: mostly visible at its present pose
 };
 

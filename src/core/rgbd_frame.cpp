@@ -115,6 +115,8 @@ RgbdFrame::fromImages (const cv::Mat& color,
     level.normals = unitOrZero (normals);
   else if (parameters.normals == NormalMethod::IntegralImage)
     level.normals = normalsByIntegralImage (level.inverse_depth, camera);
+  else if (parameters.normals == NormalMethod::None)
+    level.normals = cv::Mat::zeros (depth.size(), CV_32FC3);
   else
     level.normals = normalsByCentralDifferences (
         level.inverse_depth, camera, frame.inverse_depth_noise_);

@@ -78,8 +78,7 @@ squaredGradient (const cv::Mat& image, int x, int y)
 /** Scale of the point-to-plane distance and tolerance of the z-test. */
 void
 fillDepthScales (const FrameLevel& level,
-                 const NoiseModel& noise,
-                 double relative_tolerance,
+                 const PointOptions& options,
                  int i,
                  SegmentPixels& out)
 {
@@ -93,9 +92,9 @@ fillDepthScales (const FrameLevel& level,
   // motion model's own error of some share of a pixel lies across it.
   const float pixel = z / static_cast<float> (level.camera.fx);
   const float across = std::sqrt (std::max (0.0f, 1.0f - n.z() * n.z())) * pixel *
-                       static_cast<float> (noise.displacement);
-  const auto sigma_w =
-      static_cast<float> (noise.inverse_depth + noise.relative_depth * w);
+                       static_cast<float> (options.noise.displacement);
+  const auto sigma_w = static_cast<float> (options.noise.inverse_depth +
+                                           options.noise.relative_depth * w);
   const float along = std::max (along_ray, 0.1f) * z * z * sigma_w;
   out.icp_scale[i] =
       has_normal ? 1.0f / std::sqrt (along * along + across * across) : 0.0f;
@@ -106,14 +105,14 @@ fillDepthScales (const FrameLevel& level,
                 (std::max (along_ray, 0.1f) * static_cast<float> (level.camera.fx))
           : 0.0f;
   constexpr float kOcclusionSigmas = 5.0f;
-  out.depth_tolerance[i] = kOcclusionSigmas * static_cast<float> (noise.inverse_depth) +
-                           static_cast<float> (relative_tolerance) * w + slope;
+  out.depth_tolerance[i] =
+      kOcclusionSigmas * static_cast<float> (options.noise.inverse_depth) +
+      static_cast<float> (options.relative_tolerance) * w + slope;
 }
 
 void
 fillPoint (const FrameLevel& level,
-           const NoiseModel& noise,
-           double relative_tolerance,
+           const PointOptions& options,
            int i,
            SegmentPixels& out)
 {
@@ -129,9 +128,10 @@ fillPoint (const FrameLevel& level,
   out.intensity[i] = 0.0f;
   out.brightness_scale[i] = 0.0f;
   if (!level.intensity.empty()) {
-    out.intensity[i] = level.intensity.at<float> (v, u);
-    const auto spread = static_cast<float> (noise.displacement);
-    const auto sigma = static_cast<float> (noise.intensity);
+    out.intensity[i] =
+        options.change.gain * level.intensity.at<float> (v, u) + options.change.offset;
+    const auto spread = static_cast<float> (options.noise.displacement);
+    const auto sigma = static_cast<float> (options.noise.intensity);
     out.brightness_scale[i] =
         1.0f / std::sqrt (sigma * sigma +
                           spread * spread * squaredGradient (level.intensity, u, v));
@@ -140,7 +140,7 @@ fillPoint (const FrameLevel& level,
   out.nx[i] = n[0];
   out.ny[i] = n[1];
   out.nz[i] = n[2];
-  fillDepthScales (level, noise, relative_tolerance, i, out);
+  fillDepthScales (level, options, i, out);
 }
 
 } // namespace
@@ -149,28 +149,30 @@ SegmentPixels
 groupPixels (const FrameLevel& level,
              const cv::Mat& labels,
              int segments,
-             const NoiseModel& noise,
-             double relative_tolerance,
-             const BrightnessChange& change,
-             int max_per_segment)
+             const PointOptions& options)
 {
   SegmentPixels out;
   sortBySegment (labels, segments, out);
-  if (max_per_segment > 0)
-    thin (max_per_segment, out);
+  if (options.max_per_segment > 0)
+    thin (options.max_per_segment, out);
   resizeArrays (out);
   out.centroid.assign (segments, Eigen::Vector3d::Zero());
+  int brightness_count = 0;
+  int icp_count = 0;
+#pragma omp parallel for schedule(dynamic, 16) num_threads(options.threads)            \
+    reduction(+ : brightness_count, icp_count)
   for (int k = 0; k < segments; ++k) {
     for (int i = out.begin[k]; i < out.begin[k + 1]; ++i) {
-      fillPoint (level, noise, relative_tolerance, i, out);
-      out.intensity[i] = change.gain * out.intensity[i] + change.offset;
+      fillPoint (level, options, i, out);
       out.centroid[k] += Eigen::Vector3d (out.x[i], out.y[i], out.z[i]);
-      out.brightness_count += out.brightness_scale[i] > 0.0f;
-      out.icp_count += out.icp_scale[i] > 0.0f;
+      brightness_count += out.brightness_scale[i] > 0.0f;
+      icp_count += out.icp_scale[i] > 0.0f;
     }
     if (out.size (k) > 0)
       out.centroid[k] /= out.size (k);
   }
+  out.brightness_count = brightness_count;
+  out.icp_count = icp_count;
   return out;
 }
 

@@ -52,21 +52,23 @@ struct SegmentPixels {
   }
 };
 
-/** \brief Groups a level's points.
- * \param labels of the level's size, -1 = none
- * \param relative_tolerance share of the inverse depth that the z-test forgives,
- * besides the noise and what one pixel more or less makes on a slanted surface \param
- * change applied to the reference's intensity \param max_per_segment 0 = all; otherwise
- * evenly spaced samples of larger segments
- */
+/** \brief How points are made from a level. */
+struct PointOptions {
+  NoiseModel noise;
+  double relative_tolerance{0.01}; ///< share of the inverse depth that the z-test
+                                   ///< forgives, besides the noise and what a pixel
+                                   ///< makes on a slanted surface
+  BrightnessChange change;         ///< applied to the reference's intensity
+  int max_per_segment{0};          ///< 0 = all; else evenly spaced samples
+  int threads{1};
+};
+
+/** \brief Groups a level's points. \param labels of the level's size, -1 = none */
 SegmentPixels
 groupPixels (const FrameLevel& level,
              const cv::Mat& labels,
              int segments,
-             const NoiseModel& noise,
-             double relative_tolerance,
-             const BrightnessChange& change = {},
-             int max_per_segment = 0);
+             const PointOptions& options);
 
 /** \brief Labels of the next coarser level: those of pixels (2 i, 2 j); a pixel without
  * label takes one of its neighbours'. */

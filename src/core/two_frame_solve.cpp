@@ -4,6 +4,7 @@
 
 #include "core/body_assignment.h"
 #include "core/body_merging.h"
+#include "core/dense_points.h"
 #include "core/dense_result.h"
 #include "core/pose_proposals.h"
 #include <omp.h>
@@ -14,14 +15,23 @@ namespace pcl_msf {
 
 namespace {
 
+constexpr int kStartLevel = 1;    // poses are compared at half resolution
+constexpr int kCoarsestLevel = 2; // the first joint solve
 constexpr double kRelativeTolerance =
     0.01; // of the z-test at level 0; doubles per level
-constexpr int kProbesPerSegment = 64;
+constexpr double kLeastIntensityNoise = 0.005;
+constexpr double kMergeAllowance = 10.0; // per merge, in squared deviations
+constexpr double kMergePerPoint = 0.05;  // per point of the smaller body
+constexpr double kSeparation = 0.15;     // mean cost that a body of one's own must save
+constexpr int kReassignRounds = 3;
+constexpr int kLastIterations = 4; // after the last merge
+constexpr double kSettled =
+    0.01; // relative change of the last solve that counts as none
 
-double
-relativeTolerance (int level)
+int
+threadCount (unsigned wanted)
 {
-  return kRelativeTolerance * (1 << level);
+  return wanted > 0 ? static_cast<int> (wanted) : omp_get_max_threads();
 }
 
 } // namespace
@@ -36,33 +46,20 @@ TwoFrameSolve::TwoFrameSolve (const RgbdFrame& reference,
 , segments_ (segments)
 , energy_ (energy)
 , solver_ (solver)
-, threads_ (solver.threads > 0 ? static_cast<int> (solver.threads)
-                               : omp_get_max_threads())
+, threads_ (threadCount (solver.threads))
 , levels_ (std::min<int> ({solver.levels,
                            static_cast<int> (reference.levels().size()),
                            static_cast<int> (current.levels().size())}))
 , monitor_ (solver_)
-, labels_ (1, segments.labels())
-{
-  energy_.regularizer_weight = energy_.regularizer_weight;
-  energy_.prior_weight = energy_.prior_weight;
-  energy_.neighbors = energy_.neighbors;
-  for (int level = 1; level < levels_; ++level)
-    labels_.push_back (halveLabels (labels_.back()));
-  noise_.inverse_depth =
-      std::max (reference.inverseDepthNoise(), current.inverseDepthNoise());
-  noise_.intensity =
-      std::max ({reference.intensityNoise(), current.intensityNoise(), 0.005});
-  noise_.displacement = 0.15;
-  noise_.relative_depth = 0.001;
-}
+{}
 
 SceneFlow
 TwoFrameSolve::run (const RigidPose& guess)
 {
+  prepare();
   start (guess);
   report_.start_seconds = monitor_.seconds();
-  for (int level = std::min (levels_ - 1, 2); level >= 0; --level)
+  for (int level = std::min (kCoarsestLevel, levels_ - 1); level >= 0; --level)
     refine (level);
   report_.solve_seconds = monitor_.seconds() - report_.start_seconds;
   SceneFlow result;
@@ -70,127 +67,166 @@ TwoFrameSolve::run (const RigidPose& guess)
   return result;
 }
 
+/** Labels of all levels and the noise that residuals are measured in. */
+void
+TwoFrameSolve::prepare()
+{
+  labels_.push_back (segments_.labels());
+  for (int level = 1; level < levels_; ++level)
+    labels_.push_back (halveLabels (labels_.back()));
+  noise_.inverse_depth =
+      std::max (reference_.inverseDepthNoise(), current_.inverseDepthNoise());
+  noise_.intensity = std::max (
+      {reference_.intensityNoise(), current_.intensityNoise(), kLeastIntensityNoise});
+  noise_.displacement = 0.15;
+  noise_.relative_depth = 0.001;
+}
+
+LevelData
+TwoFrameSolve::levelData (int level, bool with_pixels) const
+{
+  return LevelData (reference_.levels()[level],
+                    current_.levels()[level],
+                    labels_[level],
+                    segments_.size(),
+                    noise_,
+                    kRelativeTolerance * (1 << level),
+                    change_,
+                    with_pixels,
+                    threads_);
+}
+
+/** Energy times this = sum of half squared deviations. */
+double
+TwoFrameSolve::residualScale (const SegmentPixels& pixels) const
+{
+  return static_cast<double> (pixels.brightness_count + pixels.icp_count) /
+         (energy_.brightness_weight + energy_.icp_weight);
+}
+
+/** Poses worth descending from: the guess, rest, and what optical flow suggests. */
 void
 TwoFrameSolve::start (const RigidPose& guess)
 {
-  const int level = std::min (1, levels_ - 1);
-  const FrameLevel& fine = reference_.levels()[level];
-  SegmentPixels probes = groupPixels (fine,
-                                      labels_[level],
-                                      segments_.size(),
-                                      noise_,
-                                      relativeTolerance (level),
-                                      {},
-                                      kProbesPerSegment);
-  links_ = linkNearestCentroids (probes.centroid, energy_.neighbors);
+  const int at = std::min (kStartLevel, levels_ - 1);
+  LevelData level = levelData (at, false);
+  links_ = linkNearestCentroids (level.probes.centroid, energy_.neighbors);
   state_ = MotionState::fromSegments (std::vector<RigidPose> (segments_.size(), guess),
                                       links_.size());
+  common_poses_ = {guess, RigidPose{}};
+  FlowHypotheses flow;
   if (solver_.flow_proposals && reference_.hasIntensity()) {
-    cv::Mat flow = estimateOpticalFlow (reference_, current_);
-    hypotheses_ =
-        hypothesesFromFlow (flow, current_, probes, level, noise_, guess, threads_);
+    flow = hypothesesFromFlow (estimateOpticalFlow (reference_, current_),
+                               current_,
+                               level.probes,
+                               at,
+                               noise_,
+                               guess,
+                               threads_);
+    common_poses_.insert (common_poses_.end(), flow.bodies.begin(), flow.bodies.end());
+    change_ = fitBrightnessChange (flow.pairs_reference, flow.pairs_current);
+    for (float& intensity : level.probes.intensity)
+      intensity = change_.gain * intensity + change_.offset;
   }
-  if (reference_.hasIntensity() && !hypotheses_.pairs_reference.empty() && 1) {
-    change_ =
-        fitBrightnessChange (hypotheses_.pairs_reference, hypotheses_.pairs_current);
-    for (float& i : probes.intensity)
-      i = change_.gain * i + change_.offset;
-  }
-  const Texture texture (current_.levels()[level]);
-  DataTerm data (probes, texture, makeRules (energy_, probes), threads_);
-  JointEnergy energy (data, links_, energy_, fine.camera.fx);
+  DataTerm data (
+      level.probes, level.texture, makeRules (energy_, level.probes), threads_);
+  JointEnergy energy (data, links_, energy_, level.focal_length);
   PoseProposals proposals (energy, links_, threads_);
-  proposals.addCommon (guess);
-  proposals.addCommon (RigidPose{});
-  for (const RigidPose& body : hypotheses_.bodies)
-    proposals.addCommon (body);
-  for (int k = 0; k < segments_.size(); ++k)
-    if (!hypotheses_.fitted.empty() && hypotheses_.fitted[k])
-      proposals.addOwn (k, hypotheses_.of_segment[k]);
-  int c = proposals.run (4, state_);
+  for (const RigidPose& pose : common_poses_)
+    proposals.addCommon (pose);
+  for (std::size_t k = 0; k < flow.fitted.size(); ++k)
+    if (flow.fitted[k])
+      proposals.addOwn (static_cast<int> (k), flow.of_segment[k]);
+  constexpr int kRounds = 4;
+  proposals.run (kRounds, state_);
 }
 
+/** Minimizes Eq. 5 on a level; at the two finest, segments that move as one merge. */
 void
-TwoFrameSolve::refine (int level)
+TwoFrameSolve::refine (int at)
 {
-  const FrameLevel& fine = reference_.levels()[level];
-  const SegmentPixels pixels = groupPixels (fine,
-                                            labels_[level],
-                                            segments_.size(),
-                                            noise_,
-                                            relativeTolerance (level),
-                                            change_);
-  const Texture texture (current_.levels()[level]);
-  DataTerm data (pixels, texture, makeRules (energy_, pixels), threads_);
-  JointEnergy energy (data, links_, energy_, fine.camera.fx);
-  if (level < 2 && state_.poses.size() == (size_t)segments_.size() && 1) {
-    PoseProposals proposals (energy, links_, threads_);
-    for (const RigidPose& body : hypotheses_.bodies)
-      proposals.addCommon (body);
-    int c = proposals.run (2, state_);
+  LevelData level = levelData (at, true);
+  DataTerm data (
+      level.pixels, level.texture, makeRules (energy_, level.pixels), threads_);
+  JointEnergy energy (data, links_, energy_, level.focal_length);
+  if (at < kCoarsestLevel && state_.poses.size() == state_.body_of.size()) {
+    DataTerm sample (
+        level.probes, level.texture, makeRules (energy_, level.probes), threads_);
+    JointEnergy sample_energy (sample, links_, energy_, level.focal_length);
+    PoseProposals proposals (sample_energy, links_, threads_);
+    for (const RigidPose& pose : common_poses_)
+      proposals.addCommon (pose);
+    constexpr int kRounds = 2;
+    proposals.run (kRounds, state_);
   }
-  double t0 = monitor_.seconds();
-  monitor_.enter ("solve", level, 0.0, 1.0, solver_.max_iterations);
-  const JointEnergy::Outcome outcome = energy.minimize (solver_, monitor_, state_);
-  if (level == 0) {
+  monitor_.enter (
+      "solve", at, 0.3 + 0.2 * (2 - at), 0.5 + 0.2 * (2 - at), solver_.max_iterations);
+  JointEnergy::Outcome outcome = energy.minimize (solver_, monitor_, state_);
+  if (at == 0)
     report_.initial_cost = outcome.initial;
-    report_.converged = outcome.converged;
-  }
-  report_.iterations += outcome.iterations;
-  report_.final_cost = outcome.final;
-  if (solver_.merge_bodies && (level == 1 || (level == 0 && 1))) {
-    merge (data);
-    if (level == 0) {
-      t0 = monitor_.seconds();
+  if (solver_.merge_bodies && at < kCoarsestLevel) {
+    mergeAndReassign (energy, level);
+    if (at == 0) {
       SolverParameters last = solver_;
-      last.max_iterations = std::min (solver_.max_iterations, 4);
-      const JointEnergy::Outcome again = energy.minimize (last, monitor_, state_);
-      report_.converged = again.converged;
-      report_.final_cost = again.final;
+      last.max_iterations = std::min (solver_.max_iterations, kLastIterations);
+      outcome = energy.minimize (last, monitor_, state_);
     }
   }
+  report_.final_cost = outcome.final;
+  const double change = outcome.initial.total() - outcome.final.total();
+  report_.converged =
+      !outcome.failed &&
+      (outcome.converged || std::abs (change) < kSettled * outcome.initial.total());
+  if (at == 0)
+    finest_ = std::make_unique<LevelData> (std::move (level));
 }
 
 void
-TwoFrameSolve::merge (DataTerm& data)
+TwoFrameSolve::mergeAndReassign (JointEnergy& energy, LevelData& level)
 {
-  double t0 = monitor_.seconds();
-  const SegmentPixels& pixels = data.pixels();
-  const MergeRules rules{
-      static_cast<double> (pixels.brightness_count + pixels.icp_count) /
-          (energy_.brightness_weight + energy_.icp_weight),
-      10.0,
-      0.05};
-  state_ = mergeBodies (data, links_, rules, state_);
-  int ch = reassignBodies (data, links_, 0.3, 3, threads_, state_);
+  const MergeRules rules{residualScale (level.pixels), kMergeAllowance, kMergePerPoint};
+  state_ = mergeBodies (energy.data(), links_, rules, state_);
+  const DataTerm sample (
+      level.probes, level.texture, makeRules (energy_, level.probes), threads_);
+  reassignBodies (sample, links_, kSeparation, kReassignRounds, threads_, state_);
 }
 
 void
 TwoFrameSolve::finish (SceneFlow& result)
 {
   const double before = monitor_.seconds();
-  const FrameLevel& fine = reference_.levels()[0];
-  const SegmentPixels pixels = groupPixels (
-      fine, labels_[0], segments_.size(), noise_, relativeTolerance (0), change_);
-  const Texture texture (current_.levels()[0]);
-  kernel::Rules rules = makeRules (energy_, pixels);
-  DataTerm data (pixels, texture, rules, threads_);
+  const SegmentPixels& pixels = finest_->pixels;
+  DataTerm data (pixels, finest_->texture, makeRules (energy_, pixels), threads_);
   data.sweep (state_, DataTerm::Pass::Linearize);
   result.camera = reference_.camera();
   result.labels = segments_.labels();
-  const double scale =
-      static_cast<double> (pixels.brightness_count + pixels.icp_count) /
-      (energy_.brightness_weight + energy_.icp_weight);
-  fillSegments (data, links_, state_, scale, result);
-  fillPoints (data, current_.camera(), threads_, result);
-  result.report = report_;
-  result.report.iterations = monitor_.iterations();
-  result.report.history = monitor_.history();
-  result.report.stop_reason = monitor_.stopReason() != StopReason::NotRun
-                                  ? monitor_.stopReason()
-                              : report_.converged ? StopReason::Converged
-                                                  : StopReason::IterationLimit;
+  fillSegments (data, links_, state_, residualScale (pixels), result);
+  fillPoints (data, current_.camera(), solver_.blend_motions, threads_, result);
+  concludeReport (result);
   result.report.result_seconds = monitor_.seconds() - before;
+}
+
+void
+TwoFrameSolve::concludeReport (SceneFlow& result)
+{
+  report_.iterations = monitor_.iterations();
+  report_.history = monitor_.history();
+  report_.stop_reason = monitor_.stopReason();
+  const bool determined = std::any_of (
+      result.segments.begin(), result.segments.end(), [] (const SegmentMotion& s) {
+        return s.status != MotionStatus::Undetermined;
+      });
+  if (report_.stop_reason != StopReason::NotRun)
+    report_.converged = false;
+  else
+    report_.stop_reason =
+        report_.converged ? StopReason::Converged : StopReason::IterationLimit;
+  if (!determined) {
+    report_.converged = false;
+    report_.message = "no segment's motion is determined: the scene shows too little "
+                      "texture and shape, or the frames show different places";
+  }
+  result.report = report_;
 }
 
 } // namespace pcl_msf

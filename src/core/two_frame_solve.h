@@ -4,12 +4,14 @@
 
 #include "core/flow_hypotheses.h"
 #include "core/joint_solver.h"
+#include "core/level_data.h"
 #include "core/segment_graph.h"
 #include "core/solve_monitor.h"
 #include <pcl_msf/oversegmentation.h>
 #include <pcl_msf/rgbd_frame.h>
 #include <pcl_msf/scene_flow.h>
 
+#include <memory>
 #include <vector>
 
 namespace pcl_msf {
@@ -32,28 +34,38 @@ public:
 
 private:
   void
+  prepare ();
+  void
   start (const RigidPose& guess);
   void
   refine (int level);
   void
-  merge (DataTerm& data);
+  mergeAndReassign (JointEnergy& energy, LevelData& level);
   void
   finish (SceneFlow& result);
+  void
+  concludeReport (SceneFlow& result);
+
+  LevelData
+  levelData (int level, bool with_pixels) const;
+  double
+  residualScale (const SegmentPixels& pixels) const;
 
   const RgbdFrame& reference_;
   const RgbdFrame& current_;
   const Oversegmentation& segments_;
-  EnergyParameters energy_;
-  SolverParameters solver_;
-  int threads_;
-  int levels_;
+  const EnergyParameters energy_;
+  const SolverParameters solver_;
+  const int threads_;
+  const int levels_;
   NoiseModel noise_;
   SolveMonitor monitor_;
   std::vector<cv::Mat> labels_; ///< per level
   std::vector<SegmentLink> links_;
   MotionState state_;
-  FlowHypotheses hypotheses_;
+  std::vector<RigidPose> common_poses_; ///< that every segment may try
   BrightnessChange change_;
+  std::unique_ptr<LevelData> finest_;
   Report report_;
 };
 
