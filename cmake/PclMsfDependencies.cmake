@@ -9,7 +9,7 @@ macro (pcl_msf_require package debian_name)
 endmacro ()
 
 pcl_msf_require (Eigen3 libeigen3-dev)
-pcl_msf_require (PCL libpcl-dev COMPONENTS common kdtree search features registration)
+pcl_msf_require (PCL libpcl-dev COMPONENTS common kdtree search)
 pcl_msf_require (Ceres libceres-dev)
 pcl_msf_require (OpenCV libopencv-dev COMPONENTS core imgproc video imgcodecs)
 pcl_msf_require (OpenMP g++ COMPONENTS CXX)
@@ -18,3 +18,5 @@ if (NOT OpenCV_ximgproc_FOUND AND NOT TARGET opencv_ximgproc)
   message (FATAL_ERROR
     "pcl_msf needs OpenCV's ximgproc: sudo apt-get install libopencv-contrib-dev")
 endif ()
+
+include (PclMsfPlainPcl)

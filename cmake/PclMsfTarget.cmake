@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Settings that all of the project's own targets share; none of them is exported.
+# How the project's own targets are made and installed.
 
+set (PCL_MSF_CONFIG_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/pcl_msf")
+
+# Settings that all of the project's targets share; none of them is exported but C++17.
 function (pcl_msf_target_settings target)
   target_compile_features (${target} PUBLIC cxx_std_17)
   set_target_properties (${target} PROPERTIES CXX_EXTENSIONS OFF)
@@ -16,7 +19,7 @@ function (pcl_msf_target_settings target)
 endfunction ()
 
 # pcl_msf_library (name SOURCES ... PUBLIC_LINK ... PRIVATE_LINK ...): a library of the
-# project, exported as pcl_msf::<name without pcl_msf_>.
+# project, exported as pcl_msf::<name without pcl_msf_>, a component of the package.
 function (pcl_msf_library target)
   cmake_parse_arguments (arg "" "" "SOURCES;PUBLIC_LINK;PRIVATE_LINK" ${ARGN})
   add_library (${target} ${arg_SOURCES})
@@ -25,8 +28,6 @@ function (pcl_msf_library target)
     PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
            $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE ${PROJECT_SOURCE_DIR}/src)
-  target_include_directories (${target} SYSTEM PUBLIC
-    ${PCL_INCLUDE_DIRS} ${OpenCV_INCLUDE_DIRS})
   target_link_libraries (${target}
     PUBLIC ${arg_PUBLIC_LINK} PRIVATE ${arg_PRIVATE_LINK})
   string (REGEX REPLACE "^pcl_msf_" "" export_name ${target})
@@ -34,4 +35,29 @@ function (pcl_msf_library target)
     EXPORT_NAME ${export_name} VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR} POSITION_INDEPENDENT_CODE ON)
   add_library (pcl_msf::${export_name} ALIAS ${target})
+  pcl_msf_install_library (${target})
+endfunction ()
+
+# One export file per library, so that find_package loads only the components asked for.
+function (pcl_msf_install_library target)
+  install (TARGETS ${target} EXPORT ${target}_targets
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+    RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install (EXPORT ${target}_targets NAMESPACE pcl_msf::
+    FILE ${target}_targets.cmake DESTINATION ${PCL_MSF_CONFIG_DIR})
+  set_property (GLOBAL APPEND PROPERTY PCL_MSF_LIBRARIES ${target})
+endfunction ()
+
+# pcl_msf_tool (name SOURCES ... LINK ...): a program that is installed.
+function (pcl_msf_tool target)
+  cmake_parse_arguments (arg "" "" "SOURCES;LINK" ${ARGN})
+  add_executable (${target} ${arg_SOURCES})
+  pcl_msf_target_settings (${target})
+  target_link_libraries (${target} PRIVATE ${arg_LINK})
+  if (BUILD_SHARED_LIBS)
+    set_target_properties (${target} PROPERTIES
+      INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
+  endif ()
+  install (TARGETS ${target} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endfunction ()

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "options.h"
+
+#include <pcl/console/print.h>
+
+#include "option_table.h"
+
+#include <utility>
+
+namespace pcl_msf::tool {
+
+namespace {
+
+const Option&
+findOption (const std::vector<OptionGroup>& table, const std::string& name)
+{
+  for (const OptionGroup& group : table)
+    for (const Option& option : group.options)
+      if (option.name == name || (name == "-h" && option.name == "--help"))
+        return option;
+  throw UsageError (name + ": no such option; --help lists them");
+}
+
+/** "--name=value" in its two parts. */
+std::pair<std::string, std::string>
+splitAtEqualSign (const std::string& word)
+{
+  const std::size_t at = word.find ('=');
+  if (at == std::string::npos)
+    return {word, {}};
+  return {word.substr (0, at), word.substr (at + 1)};
+}
+
+void
+readWords (int argc, const char* const* argv, const std::vector<OptionGroup>& table)
+{
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word.rfind ("-", 0) != 0)
+      throw UsageError ("'" + word + "': not an option; --help lists them");
+    auto [name, value] = splitAtEqualSign (word);
+    const Option& option = findOption (table, name);
+    if (!option.argument.empty() && name == word) {
+      if (i + 1 >= argc)
+        throw UsageError (name + ": needs a value, " + option.argument);
+      value = argv[++i];
+    }
+    else if (option.argument.empty() && name != word)
+      throw UsageError (name + ": takes no value");
+    if (!option.set (value))
+      throw UsageError (name + ": '" + value + "' is no " + option.argument + "; " +
+                        option.help);
+  }
+}
+
+void
+checkCount (const char* name, std::size_t count, bool may_miss)
+{
+  if (count != 2 && !(may_miss && count == 0))
+    throw UsageError (std::string (name) + ": given " + std::to_string (count) +
+                      " times; give it twice, reference first");
+}
+
+void
+checkInputs (const Options& options)
+{
+  const bool images = !options.color.empty() || !options.depth.empty();
+  if (images && !options.cloud.empty())
+    throw UsageError ("--cloud: not together with --color or --depth");
+  if (options.cloud.empty()) {
+    checkCount ("--depth", options.depth.size(), false);
+    checkCount ("--color", options.color.size(), true);
+    if (!options.camera)
+      throw UsageError ("--camera: missing; give FX,FY,CX,CY in pixels");
+  }
+  else
+    checkCount ("--cloud", options.cloud.size(), false);
+  if (options.output.empty())
+    throw UsageError ("--output: missing; give a folder for the results");
+}
+
+template <typename Parameters>
+void
+checkParameters (const Parameters& parameters)
+{
+  std::string why;
+  if (parameters.isValid (&why))
+    return;
+  for (char& c : why)
+    c = c == '_' ? '-' : c;
+  throw UsageError ("--" + why);
+}
+
+} // namespace
+
+Options
+parseOptions (int argc, const char* const* argv)
+{
+  Options options;
+  readWords (argc, argv, makeOptionTable (options));
+  if (options.help)
+    return options;
+  checkInputs (options);
+  checkParameters (options.frame);
+  checkParameters (options.segmentation);
+  checkParameters (options.energy);
+  checkParameters (options.solver);
+  if (options.flow_maximum < 0.0)
+    throw UsageError ("--flow-max: must be >= 0");
+  return options;
+}
+
+void
+printHelp (const char* program)
+{
+  using namespace pcl::console;
+  print_info ("Piecewise-rigid scene flow between two RGB-D frames.\n\n");
+  print_info ("Syntax: %s --color C0.png --depth D0.png --color C1.png --depth D1.png "
+              "--camera FX,FY,CX,CY --depth-scale S --output DIR\n",
+              program);
+  print_info ("    or: %s --cloud A.pcd --cloud B.pcd [--camera FX,FY,CX,CY] --output "
+              "DIR\n",
+              program);
+  Options defaults;
+  for (const OptionGroup& group : makeOptionTable (defaults)) {
+    print_info ("\n%s:\n", group.title.c_str());
+    for (const Option& option : group.options) {
+      print_value ("  %-22s %-12s", option.name.c_str(), option.argument.c_str());
+      print_info (" %s\n", option.help.c_str());
+    }
+  }
+}
+
+} // namespace pcl_msf::tool

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <pcl_msf/parameters.h>
+#include <pcl_msf/pinhole_camera.h>
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace pcl_msf::tool {
+
+/** \brief A command line that cannot be understood; what() is one line that names the
+ * option. */
+class UsageError : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/** \brief Everything that the command line says. */
+struct Options {
+  std::vector<std::string> color; ///< two files or none
+  std::vector<std::string> depth; ///< two files, or none with clouds
+  std::vector<std::string> cloud; ///< two files, or none with images
+  std::optional<PinholeCamera> camera;
+  std::optional<double> depth_scale; ///< units per metre
+  std::string output;                ///< folder
+  std::string labels;                ///< label image in place of the segmentation
+  double flow_maximum{0.0};          ///< of the flow colours, pixels; 0 = automatic
+  bool quiet{false};
+  bool help{false};
+  FrameParameters frame;
+  SegmentationParameters segmentation;
+  EnergyParameters energy;
+  SolverParameters solver;
+};
+
+/** \brief Reads the command line. \throws UsageError */
+Options
+parseOptions (int argc, const char* const* argv);
+
+/** \brief Prints what the tool does and all options with their defaults. */
+void
+printHelp (const char* program);
+
+} // namespace pcl_msf::tool

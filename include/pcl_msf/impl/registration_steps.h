@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <pcl/types.h>
+
+#include <Eigen/Core>
+
+#include <opencv2/core.hpp>
+
+#include <pcl_msf/oversegmentation.h>
+#include <pcl_msf/rgbd_frame.h>
+#include <pcl_msf/scene_flow.h>
+
+#include <chrono>
+#include <exception>
+#include <functional>
+#include <string>
+
+/* The steps of PiecewiseRigidRegistration that don't depend on the point type: compiled
+ * once, not part of the public interface. */
+namespace pcl_msf {
+namespace detail {
+
+struct CloudImages {
+  cv::Mat points; ///< as from pointImage
+  cv::Mat color;  ///< as from colorImage
+};
+
+struct FramePair {
+  RgbdFrame reference;
+  RgbdFrame current;
+};
+
+/** Frames of two clouds (section 3.3). A camera with fx = 0 is estimated from the
+ * source. \throws InvalidInput naming the remedy in terms of PiecewiseRigidRegistration
+ */
+FramePair
+makeFrames (CloudImages source,
+            CloudImages target,
+            const PinholeCamera& camera,
+            const FrameParameters& parameters,
+            const cv::Mat& source_normals);
+
+/** The segments that hold at least one of the points, each with all of its points. */
+Oversegmentation
+segmentsHolding (const pcl::Indices& points,
+                 const Oversegmentation& segments,
+                 const RgbdFrame& frame);
+
+/** The guess as a pose. \throws InvalidInput when it is not a rigid transformation */
+RigidPose
+startPose (const Eigen::Matrix<float, 4, 4>& guess);
+
+/** Why a result cannot be used; empty when it can. */
+std::string
+whyUnusable (const SceneFlow& flow);
+
+/** The pixel that a point projects to, row * width + column; -1 outside the image. */
+int
+pixelOf (const Eigen::Vector3f& point, const PinholeCamera& camera, cv::Size size);
+
+/** A result that says only why there is none. */
+SceneFlow
+failedFlow (StopReason reason, const std::string& message);
+
+/** Passes progress on; an exception of the callback cancels and is kept for rethrow,
+ * because it must not fly through the solver. */
+class GuardedProgress {
+public:
+  explicit GuardedProgress (std::function<bool (const Progress&)> callback)
+  : callback_ (std::move (callback))
+  {}
+  /** The callback to give to the solver; empty when there is none. */
+  std::function<bool (const Progress&)>
+  function ();
+  void
+  rethrow () const
+  {
+    if (error_)
+      std::rethrow_exception (error_);
+  }
+
+private:
+  std::function<bool (const Progress&)> callback_;
+  std::exception_ptr error_;
+};
+
+/** Seconds between two calls of lap. */
+class Stopwatch {
+public:
+  double
+  lap ()
+  {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> seconds = now - start_;
+    start_ = now;
+    return seconds.count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point start_{std::chrono::steady_clock::now()};
+};
+
+} // namespace detail
+} // namespace pcl_msf

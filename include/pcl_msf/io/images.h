@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include <string>
+
+namespace pcl_msf::io {
+
+/** \brief Reads a colour or grey image of any format that OpenCV knows.
+ *
+ * Alpha is dropped, 16 bit become 8; a camera's orientation tag is ignored, because the
+ * depth image is registered to the pixels as they are stored.
+ * \return CV_8UC1 or CV_8UC3 (BGR) \throws IoError */
+cv::Mat
+readColor (const std::string& path);
+
+/** \brief Reads a depth image.
+ *
+ * One-channel 16-bit integers (.png, .tiff, .pgm) are divided by `depth_scale`; floats
+ * (.dpt, .pfm, .tiff, .exr) are metres already and taken as they are.
+ * \param depth_scale integer units per metre, > 0, e.g. 1000 for millimetres
+ * \return CV_32FC1, metres; 0, NaN, inf or negative = no measurement, as in the file
+ * \throws IoError */
+cv::Mat
+readDepth (const std::string& path, double depth_scale);
+
+/** \brief Writes a 16-bit depth PNG. \param depth CV_32FC1, metres; what is no
+ * measurement or does not fit into 16 bit is written as 0 \throws IoError */
+void
+writeDepth (const std::string& path, const cv::Mat& depth, double depth_scale);
+
+/** \brief Reads a label image, 8 or 16 bit, one channel.
+ * \return CV_32SC1; 65535 in a 16-bit image comes back as -1 = no segment
+ * \throws IoError */
+cv::Mat
+readLabels (const std::string& path);
+
+/** \brief Writes a 16-bit label PNG. \param labels CV_32SC1, 0 .. 65534 as they are,
+ * negative (no segment) as 65535 \throws IoError, also for larger labels */
+void
+writeLabels (const std::string& path, const cv::Mat& labels);
+
+/** \brief Reads a mask. \return CV_8UC1, 255 where the file is not 0 \throws IoError */
+cv::Mat
+readMask (const std::string& path);
+
+/** \brief Writes a picture in the format of the path's extension.
+ * \param image CV_8UC1, CV_8UC3 (BGR) or CV_16UC1 \throws IoError */
+void
+writeImage (const std::string& path, const cv::Mat& image);
+
+} // namespace pcl_msf::io

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include <pcl_msf/scene_flow.h>
+
+#include <string>
+
+namespace pcl_msf::io {
+
+/** \brief Writes a result as a binary, organized .pcd with the fields `x y z rgb dx dy
+ * dz label visible` of pcl_msf::PointXYZRGBFlow; NaN where there is no depth.
+ * \param color of the reference, CV_8UC1, CV_8UC3 (BGR) or empty = white
+ * \throws IoError */
+void
+writeSceneFlowCloud (const std::string& path,
+                     const SceneFlow& scene_flow,
+                     const cv::Mat& color);
+
+/** \brief Writes the warped reference as a binary, organized .pcd with x y z rgb: the
+ * reference's colours at the warped positions (current frame, metres), NaN where they
+ * are unknown. \throws IoError */
+void
+writeWarpedCloud (const std::string& path,
+                  const SceneFlow& scene_flow,
+                  const cv::Mat& color);
+
+/** \brief Visibility as the mask that is written. \param visibility CV_8UC1, see
+ * Visibility \return CV_8UC1, 255 = seen in both frames, 0 otherwise */
+cv::Mat
+visibilityMask (const cv::Mat& visibility);
+
+/** \brief Times of a run that the result's Report does not know, seconds. */
+struct RunSeconds {
+  double total{0.0}; ///< load to result, without writing
+  double load{0.0};
+  double frame{0.0};
+  double segment{0.0};
+  double write{0.0}; ///< all files but the report itself
+};
+
+/** \brief A result's report as JSON text; numbers that are not finite become null.
+ * \param frames number of frames of the run */
+std::string
+reportJson (const SceneFlow& scene_flow, const RunSeconds& seconds, int frames = 2);
+
+/** \brief Writes `reportJson` to a file. \throws IoError */
+void
+writeReport (const std::string& path,
+             const SceneFlow& scene_flow,
+             const RunSeconds& seconds,
+             int frames = 2);
+
+} // namespace pcl_msf::io

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <pcl/registration/registration.h>
+
+#include <pcl_msf/lazy_kd_tree.h>
+#include <pcl_msf/registration_settings.h>
+#include <pcl_msf/scene_flow.h>
+#include <pcl_msf/scene_flow_estimator.h>
+
+#include <limits>
+
+namespace pcl_msf {
+
+namespace detail {
+struct FramePair;
+}
+
+/** \brief Piecewise-rigid registration of two organized RGB-D clouds: one rigid motion
+ * per segment of the source, solved jointly (Eq. 5).
+ *
+ * \code
+ * pcl_msf::PiecewiseRigidRegistration<pcl::PointXYZRGB> registration;
+ * registration.setInputSource (reference); // organized, camera's optical frame, metres
+ * registration.setInputTarget (current);   // the same size
+ * registration.align (warped);             // organized like the source
+ * if (registration.hasConverged ())
+ *   use (warped, registration.getSceneFlow ());
+ * \endcode
+ *
+ * <b>Input.</b> Points x right, y down, z forward in metres; NaN, inf, or z <= 0 = no
+ * measurement. Brightness from rgb, rgba or intensity; types with none of them are
+ * aligned by geometry alone; normals in the points are not used, see setSourceNormals.
+ * Both clouds come from one pinhole camera: setCamera, or it is estimated from the
+ * source.
+ *
+ * <b>Output.</b> align's cloud is the source carried to the target, each point by its
+ * displacement, organized like the source; normals turn with their segments; other
+ * fields are the source's. A point without depth or with unknown motion is NaN, never
+ * left where it was. The one 4x4 matrix of PCL's interface is the motion of the
+ * dominant motion group (the one with most points); all the rest is in getSceneFlow.
+ *
+ * <b>Indices.</b> With setIndices the segments that hold at least one of those points
+ * take part, with all of their points, and the output holds those points alone, n x 1
+ * (n of all points: organized). To leave out points exactly, use setSegmentation.
+ *
+ * <b>Convergence.</b> As with PCL's ICP, hasConverged () is true when the optimization
+ * ran to its end: the energy's change fell below the tolerance, or the iteration limit
+ * was reached; getReport ().stop_reason and .converged tell the two apart. It is false
+ * when the time budget or the progress callback cut it short (the output is the best so
+ * far) and after a failure.
+ *
+ * <b>Failure.</b> Bad input prints a PCL_ERROR that names the remedy; then hasConverged
+ * () is false, the matrix is the identity, the output is the untransformed source and
+ * getReport () repeats the message. Nothing is thrown. An empty or null cloud is not
+ * taken, and the former one is dropped, so that no later align works on a stale pair;
+ * getInputSource and getInputTarget then give an empty cloud, as they do at first. With
+ * indices outside the source the output is empty.
+ *
+ * <b>Behind a base pointer.</b> All of the above holds for a pcl::Registration pointer.
+ * Only getFitnessScore differs, see there. Of the inherited settings, these have no
+ * effect: RANSAC, correspondence distance, transformation and fitness epsilons,
+ * estimators, rejectors, the point representation (except on the search objects).
+ * setMaximumIterations bounds the steps per pyramid level, default 8. The visualization
+ * callback is called once per successful align, with the warped source and the indices
+ * of corresponding points in it and in the target.
+ *
+ * No kd-tree is built unless somebody queries getSearchMethodTarget or
+ * getSearchMethodSource, see LazyKdTree. An object can be used again and again; it is
+ * not safe to use one from two threads at once, different ones are independent.
+ *
+ * Instantiated for PointXYZ, PointXYZI, PointXYZRGB, PointXYZRGBA and
+ * PointXYZRGBNormal; for other types define PCL_NO_PRECOMPILE before including PCL's
+ * headers, as for PCL.
+ */
+template <typename PointT>
+class PiecewiseRigidRegistration : public pcl::Registration<PointT, PointT, float>,
+                                   public RegistrationSettings {
+  using Base = pcl::Registration<PointT, PointT, float>;
+
+public:
+  using Ptr = pcl::shared_ptr<PiecewiseRigidRegistration<PointT>>;
+  using ConstPtr = pcl::shared_ptr<const PiecewiseRigidRegistration<PointT>>;
+  using typename Base::Matrix4;
+  using typename Base::PointCloudSource;
+  using typename Base::PointCloudSourceConstPtr;
+  using typename Base::PointCloudTargetConstPtr;
+
+  PiecewiseRigidRegistration();
+
+  /** \brief The reference cloud. */
+  void
+  setInputSource (const PointCloudSourceConstPtr& cloud) override;
+
+  /** \brief The current cloud. */
+  void
+  setInputTarget (const PointCloudTargetConstPtr& cloud) override;
+
+  /** \brief Points of the source to work on; a null pointer = all. */
+  void
+  setIndices (const pcl::IndicesPtr& indices) override;
+  void
+  setIndices (const pcl::IndicesConstPtr& indices) override;
+  void
+  setIndices (const pcl::PointIndicesConstPtr& indices) override;
+  /** \brief A rectangle of the source, which must be set and contain it. */
+  void
+  setIndices (std::size_t row_start,
+              std::size_t col_start,
+              std::size_t nb_rows,
+              std::size_t nb_cols) override;
+
+  /** \brief Levenberg-Marquardt steps per pyramid level, >= 0, default 8. */
+  void
+  setMaximumIterations (int iterations);
+
+  /** \brief How Eq. 5 is minimized. Its max_iterations is the inherited one. */
+  void
+  setSolverParameters (const SolverParameters& parameters);
+  SolverParameters
+  getSolverParameters () const;
+
+  using Base::getFitnessScore;
+
+  /** \brief Mean squared distance, square metres, between warped points and the
+   * target's points at the pixels that they project to, over the points that are
+   * visible in both clouds and, as in PCL, whose squared distance is at most max_range.
+   * The largest double when there are none. \note Hides the base's. Through a base
+   * pointer PCL's own runs: nearest neighbours of the source moved by the dominant
+   * motion, which builds the kd-tree; NaN points, on which it would abort with PCL's
+   * own tree, do not count. */
+  double
+  getFitnessScore (double max_range = std::numeric_limits<double>::max());
+
+  /** \brief Pairs of the last align: source index, target index at the pixel that the
+   * warped point projects to, squared distance; visible points only. */
+  const pcl::Correspondences&
+  getCorrespondences () const
+  {
+    return *this->correspondences_;
+  }
+
+  /** \brief Everything that the last align found, on the source's pixels. Images are
+   * empty after a failure and before the first align. */
+  const SceneFlow&
+  getSceneFlow () const
+  {
+    return scene_flow_;
+  }
+
+  /** \brief How the last align went: stop reason, message, times, energy. */
+  const Report&
+  getReport () const
+  {
+    return scene_flow_.report;
+  }
+
+protected:
+  /** \brief Section 3, from clouds to scene flow. */
+  void
+  computeTransformation (PointCloudSource& output, const Matrix4& guess) override;
+
+private:
+  void
+  checkInput () const;
+  detail::FramePair
+  makeFrames () const;
+  Oversegmentation
+  cutSegments (const RgbdFrame& reference) const;
+  void
+  minimizeEnergy (const detail::FramePair& frames,
+                  const Oversegmentation& segments,
+                  const Matrix4& guess,
+                  double seconds_gone);
+  void
+  warp (PointCloudSource& output) const;
+  void
+  findCorrespondences (const PointCloudSource& warped);
+  void
+  publish ();
+  void
+  fail (StopReason reason, const char* why);
+  void
+  showResult (const PointCloudSource& warped) const;
+  void
+  adoptIndices ();
+
+  SceneFlow scene_flow_;
+  pcl::IndicesPtr requested_indices_;
+  bool indices_fit_{true};
+
+public:
+  PCL_MAKE_ALIGNED_OPERATOR_NEW
+};
+
+} // namespace pcl_msf
+
+#include <pcl_msf/impl/piecewise_rigid_registration.hpp>
+
+#ifndef PCL_NO_PRECOMPILE
+namespace pcl_msf {
+extern template class PiecewiseRigidRegistration<pcl::PointXYZ>;
+extern template class PiecewiseRigidRegistration<pcl::PointXYZI>;
+extern template class PiecewiseRigidRegistration<pcl::PointXYZRGB>;
+extern template class PiecewiseRigidRegistration<pcl::PointXYZRGBA>;
+extern template class PiecewiseRigidRegistration<pcl::PointXYZRGBNormal>;
+} // namespace pcl_msf
+#endif

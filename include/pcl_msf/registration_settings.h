@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/PointIndices.h>
+
+#include <pcl_msf/parameters.h>
+#include <pcl_msf/pinhole_camera.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief What a user sets on a PiecewiseRigidRegistration, whatever its point type.
+ *
+ * Every setter checks its argument: a bad one is refused with a PCL_ERROR that names
+ * the allowed values, and the old one stays. Every setter has a getter of the same
+ * type. What can only be judged with the clouds (sizes) is judged in align.
+ *
+ * Not thread-safe: don't set while another thread aligns.
+ */
+class RegistrationSettings {
+public:
+  using NormalCloudConstPtr = pcl::PointCloud<pcl::Normal>::ConstPtr;
+  using LabelCloudConstPtr = pcl::PointCloud<pcl::Label>::ConstPtr;
+  using ProgressCallback = std::function<bool (const Progress&)>;
+
+  /** \brief The camera of both clouds, pixels (Eq. 2). Refused unless finite with
+   * positive focal lengths. Without it each align estimates it from the source, see
+   * estimateCamera; with it the clouds' x and y are not used for the estimation. */
+  void
+  setCamera (const PinholeCamera& camera);
+
+  /** \brief As set; all zero when it is to be estimated. The one that was used is
+   * `getSceneFlow ().camera`. */
+  PinholeCamera
+  getCamera () const
+  {
+    return camera_;
+  }
+
+  /** \brief Back to estimating the camera from the source. */
+  void
+  clearCamera ()
+  {
+    camera_ = {};
+  }
+
+  /** \brief How frames are prepared (section 3.3). */
+  void
+  setFrameParameters (const FrameParameters& parameters);
+  FrameParameters
+  getFrameParameters () const
+  {
+    return frame_;
+  }
+
+  /** \brief How the source is cut into segments (section 3.3). No effect while a
+   * segmentation from outside is set. */
+  void
+  setSegmentationParameters (const SegmentationParameters& parameters);
+  SegmentationParameters
+  getSegmentationParameters () const
+  {
+    return segmentation_;
+  }
+
+  /** \brief Weights and norms of the energy (Eq. 5). */
+  void
+  setEnergyParameters (const EnergyParameters& parameters);
+  EnergyParameters
+  getEnergyParameters () const
+  {
+    return energy_;
+  }
+
+  /** \brief Segmentation method alone, default TangentPlane; Single makes the whole
+   * scene one rigid body. */
+  void
+  setSegmentationMethod (SegmentationMethod method);
+  SegmentationMethod
+  getSegmentationMethod () const
+  {
+    return segmentation_.method;
+  }
+
+  /** \brief Aimed side of a segment, pixels, [4, 512]. */
+  void
+  setSegmentSize (int pixels);
+  int
+  getSegmentSize () const
+  {
+    return segmentation_.segment_size;
+  }
+
+  /** \brief gamma of Eq. 5, >= 0: larger holds neighbouring segments together. */
+  void
+  setRegularizerWeight (double gamma);
+  double
+  getRegularizerWeight () const
+  {
+    return energy_.regularizer_weight;
+  }
+
+  /** \brief Threads to use, at most 1024; 0 = all. The result does not depend on it. */
+  void
+  setNumberOfThreads (unsigned threads = 0);
+  unsigned
+  getNumberOfThreads () const
+  {
+    return solver_.threads;
+  }
+
+  /** \brief Time for one align, seconds; 0 = no limit. When it is used up the best
+   * result so far is returned with StopReason::TimeLimit. */
+  void
+  setTimeBudget (double seconds);
+  double
+  getTimeBudget () const
+  {
+    return solver_.max_seconds;
+  }
+
+  /** \brief Called after each iteration, in the aligning thread; false cancels. An
+   * empty function removes it. An exception in it ends the align with hasConverged ()
+   * false. */
+  void
+  setProgressCallback (const ProgressCallback& callback)
+  {
+    solver_.progress = callback;
+  }
+  ProgressCallback
+  getProgressCallback () const
+  {
+    return solver_.progress;
+  }
+
+  /** \brief Normals of the source, organized like it, used in place of computed ones;
+   * unit length, NaN = none. A null pointer returns to computed ones. */
+  void
+  setSourceNormals (const NormalCloudConstPtr& normals);
+  NormalCloudConstPtr
+  getSourceNormals () const
+  {
+    return normals_;
+  }
+
+  /** \brief Segments from outside: one label per point of the source, organized like
+   * it. See labelImage for "none". Replaces clusters; a null pointer is refused. */
+  void
+  setSegmentation (const LabelCloudConstPtr& labels);
+  LabelCloudConstPtr
+  getSegmentationLabels () const
+  {
+    return labels_;
+  }
+
+  /** \brief Segments from outside: clusters of source indices, as PCL's segmentations
+   * give them. Replaces labels; an empty list is refused. */
+  void
+  setSegmentation (const std::vector<pcl::PointIndices>& clusters);
+  std::vector<pcl::PointIndices>
+  getSegmentationIndices () const
+  {
+    return clusters_;
+  }
+
+  /** \brief Back to segments by SegmentationParameters. */
+  void
+  clearSegmentation ();
+
+protected:
+  ~RegistrationSettings() = default;
+
+  /** Takes the parameters or says why not. \return were they taken? */
+  bool
+  takeSolverParameters (const SolverParameters& parameters, const char* method);
+
+  /** Prints "[pcl_msf::PiecewiseRigidRegistration::method] why". */
+  static void
+  printError (const char* method, const std::string& why);
+
+  PinholeCamera camera_;
+  FrameParameters frame_;
+  SegmentationParameters segmentation_;
+  EnergyParameters energy_;
+  SolverParameters solver_;
+  NormalCloudConstPtr normals_;
+  LabelCloudConstPtr labels_;
+  std::vector<pcl::PointIndices> clusters_;
+};
+
+} // namespace pcl_msf

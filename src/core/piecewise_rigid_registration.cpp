@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <pcl_msf/piecewise_rigid_registration.h>
+
+namespace pcl_msf {
+
+template class PiecewiseRigidRegistration<pcl::PointXYZ>;
+template class PiecewiseRigidRegistration<pcl::PointXYZI>;
+template class PiecewiseRigidRegistration<pcl::PointXYZRGB>;
+template class PiecewiseRigidRegistration<pcl::PointXYZRGBA>;
+template class PiecewiseRigidRegistration<pcl::PointXYZRGBNormal>;
+
+} // namespace pcl_msf

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "io/figure_parts.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include <iomanip>
+#include <locale>
+#include <sstream>
+
+namespace pcl_msf::io {
+
+namespace {
+
+constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
+constexpr double kFontPixels = 22.0; ///< height of the font's capitals at scale 1
+
+} // namespace
+
+cv::Mat
+asBgr (const cv::Mat& image, const cv::Size& size)
+{
+  if (image.empty())
+    return {size, CV_8UC3, cv::Scalar::all (128)};
+  CV_Assert (image.depth() == CV_8U &&
+             (image.channels() == 1 || image.channels() == 3));
+  cv::Mat bgr;
+  if (image.channels() == 1)
+    cv::cvtColor (image, bgr, cv::COLOR_GRAY2BGR);
+  else
+    image.copyTo (bgr);
+  return bgr;
+}
+
+cv::Mat
+asGray (const cv::Mat& image)
+{
+  if (image.channels() == 1)
+    return image;
+  cv::Mat gray;
+  cv::cvtColor (image, gray, cv::COLOR_BGR2GRAY);
+  return gray;
+}
+
+int
+drawText (cv::Mat& picture,
+          const std::string& text,
+          const cv::Point& origin,
+          int height,
+          const cv::Scalar& color)
+{
+  cv::putText (
+      picture, text, origin, kFont, height / kFontPixels, color, 1, cv::LINE_AA);
+  return textWidth (text, height);
+}
+
+int
+textWidth (const std::string& text, int height)
+{
+  int baseline = 0;
+  return cv::getTextSize (text, kFont, height / kFontPixels, 1, &baseline).width;
+}
+
+std::string
+shortNumber (double number)
+{
+  std::ostringstream text;
+  text.imbue (std::locale::classic());
+  text << std::setprecision (3) << number;
+  return text.str();
+}
+
+} // namespace pcl_msf::io

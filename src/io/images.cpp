@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <opencv2/imgcodecs.hpp>
+
+#include "io/decode_image.h"
+#include "io/input_file.h"
+#include "io/output_file.h"
+#include <pcl_msf/errors.h>
+#include <pcl_msf/io/float_files.h>
+#include <pcl_msf/io/images.h>
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace pcl_msf::io {
+
+namespace {
+
+constexpr int kNoLabel = 65535;
+
+[[noreturn]] void
+fail (const std::string& path, const std::string& what)
+{
+  throw IoError (path + ": " + what);
+}
+
+void
+requireType (const std::string& path, const cv::Mat& image, int type, const char* what)
+{
+  if (image.empty() || image.type() != type)
+    fail (path, what);
+}
+
+cv::Mat
+decodeDepth (const std::string& path)
+{
+  const std::string extension = lowerExtension (path);
+  if (extension == ".dpt")
+    return readDpt (path);
+  if (extension == ".pfm")
+    return readPfm (path);
+  return decodeImage (path, cv::IMREAD_UNCHANGED, "depth");
+}
+
+} // namespace
+
+cv::Mat
+readColor (const std::string& path)
+{
+  cv::Mat image = decodeImage (path, cv::IMREAD_ANYCOLOR, "colour");
+  if (image.depth() != CV_8U || (image.channels() != 1 && image.channels() != 3))
+    fail (path, "colour: not 8-bit grey or colour; convert it to an 8-bit PNG");
+  return image;
+}
+
+cv::Mat
+readDepth (const std::string& path, double depth_scale)
+{
+  if (!std::isfinite (depth_scale) || depth_scale <= 0.0)
+    fail (path, "depth scale: must be > 0, in units per metre");
+  cv::Mat image = decodeDepth (path);
+  if (image.type() == CV_32FC1)
+    return image;
+  if (image.type() != CV_16UC1)
+    fail (path,
+          "depth: neither 16-bit integers nor 32-bit floats in one channel; give a "
+          "16-bit PNG, a float TIFF, .pfm or .dpt");
+  cv::Mat depth;
+  image.convertTo (depth, CV_32F, 1.0 / depth_scale);
+  return depth;
+}
+
+void
+writeDepth (const std::string& path, const cv::Mat& depth, double depth_scale)
+{
+  requireType (path, depth, CV_32FC1, "depth: a CV_32FC1 image is needed");
+  cv::Mat units (depth.size(), CV_16UC1);
+  for (int row = 0; row < depth.rows; ++row)
+    for (int col = 0; col < depth.cols; ++col) {
+      const double value = std::round (depth.at<float> (row, col) * depth_scale);
+      const bool fits = value > 0.0 && value <= 65535.0;
+      units.at<std::uint16_t> (row, col) =
+          fits ? static_cast<std::uint16_t> (value) : std::uint16_t{0};
+    }
+  writeImage (path, units);
+}
+
+cv::Mat
+readLabels (const std::string& path)
+{
+  const cv::Mat image = decodeImage (path, cv::IMREAD_UNCHANGED, "labels");
+  if (image.type() != CV_8UC1 && image.type() != CV_16UC1)
+    fail (path, "labels: not 8 or 16 bit in one channel; give a 16-bit grey PNG");
+  cv::Mat labels;
+  image.convertTo (labels, CV_32S);
+  if (image.depth() == CV_16U)
+    labels.setTo (-1, labels == kNoLabel);
+  return labels;
+}
+
+void
+writeLabels (const std::string& path, const cv::Mat& labels)
+{
+  requireType (path, labels, CV_32SC1, "labels: a CV_32SC1 image is needed");
+  double largest = 0.0;
+  cv::minMaxLoc (labels, nullptr, &largest);
+  if (largest >= kNoLabel)
+    fail (path, "labels: more than 65535 segments do not fit; use larger ones");
+  cv::Mat known = labels.clone();
+  known.setTo (kNoLabel, labels < 0);
+  cv::Mat image;
+  known.convertTo (image, CV_16U);
+  writeImage (path, image);
+}
+
+cv::Mat
+readMask (const std::string& path)
+{
+  return decodeImage (path, cv::IMREAD_GRAYSCALE, "mask") != 0;
+}
+
+void
+writeImage (const std::string& path, const cv::Mat& image)
+{
+  std::vector<unsigned char> bytes;
+  bool encoded = false;
+  try {
+    encoded = !image.empty() && cv::imencode (lowerExtension (path), image, bytes);
+  }
+  catch (const cv::Exception&) {
+    encoded = false;
+  }
+  if (!encoded)
+    fail (path, "image: OpenCV cannot encode it in this format; use .png");
+  writeBytes (path, bytes.data(), bytes.size());
+}
+
+} // namespace pcl_msf::io

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <pcl/common/colors.h>
+
+#include "io/figure_parts.h"
+#include <pcl_msf/io/figures.h>
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+#include <vector>
+
+namespace pcl_msf::io {
+
+namespace {
+
+constexpr double kOpacity = 0.55;
+
+cv::Vec3b
+labelColor (int label)
+{
+  const auto count = static_cast<int> (pcl::GlasbeyLUT::size());
+  const pcl::RGB& color = pcl::GlasbeyLUT::at (label % count);
+  return {color.b, color.g, color.r};
+}
+
+cv::Vec3b
+blend (const cv::Vec3b& under, const cv::Vec3b& over)
+{
+  cv::Vec3b result;
+  for (int c = 0; c < 3; ++c)
+    result[c] = cv::saturate_cast<unsigned char> ((1.0 - kOpacity) * under[c] +
+                                                  kOpacity * over[c]);
+  return result;
+}
+
+/** Does a boundary run between this pixel and its right or lower neighbour? */
+bool
+onBoundary (const cv::Mat& labels, int row, int col)
+{
+  const int label = labels.at<int> (row, col);
+  return (col + 1 < labels.cols && labels.at<int> (row, col + 1) != label) ||
+         (row + 1 < labels.rows && labels.at<int> (row + 1, col) != label);
+}
+
+cv::Mat
+overlay (const cv::Mat& image,
+         const cv::Mat& labels,
+         const std::function<cv::Vec3b (int)>& color)
+{
+  CV_Assert (labels.type() == CV_32SC1);
+  cv::Mat picture = asBgr (image, labels.size());
+  CV_Assert (picture.size() == labels.size());
+  for (int row = 0; row < labels.rows; ++row)
+    for (int col = 0; col < labels.cols; ++col) {
+      const int label = labels.at<int> (row, col);
+      auto& pixel = picture.at<cv::Vec3b> (row, col);
+      if (label >= 0)
+        pixel = blend (pixel, color (label));
+      if (onBoundary (labels, row, col))
+        pixel = {pixel * 0.3};
+    }
+  return picture;
+}
+
+/** Motion groups by number of points, the dominant one first: rank of each body. */
+std::vector<int>
+bodyRanks (const SceneFlow& scene_flow)
+{
+  const int bodies = std::max (0, scene_flow.bodies);
+  std::vector<long> points (bodies, 0);
+  for (const SegmentMotion& segment : scene_flow.segments)
+    if (segment.body >= 0 && segment.body < bodies)
+      points[segment.body] += segment.points;
+  std::vector<int> order (bodies);
+  std::iota (order.begin(), order.end(), 0);
+  std::stable_sort (order.begin(), order.end(), [&] (int a, int b) {
+    if ((a == scene_flow.dominant_body) != (b == scene_flow.dominant_body))
+      return a == scene_flow.dominant_body;
+    return points[a] > points[b];
+  });
+  std::vector<int> rank (bodies);
+  for (int i = 0; i < bodies; ++i)
+    rank[order[i]] = i;
+  return rank;
+}
+
+} // namespace
+
+cv::Mat
+segmentOverlay (const cv::Mat& image, const cv::Mat& labels)
+{
+  return overlay (image, labels, labelColor);
+}
+
+cv::Mat
+motionOverlay (const cv::Mat& image, const SceneFlow& scene_flow)
+{
+  const std::vector<int> ranks = bodyRanks (scene_flow);
+  const int undetermined = static_cast<int> (ranks.size());
+  cv::Mat groups = scene_flow.labels.clone();
+  for (int row = 0; row < groups.rows; ++row)
+    for (int col = 0; col < groups.cols; ++col) {
+      auto& label = groups.at<int> (row, col);
+      if (label < 0 || label >= static_cast<int> (scene_flow.segments.size()))
+        continue;
+      const SegmentMotion& segment = scene_flow.segments[label];
+      const bool known = segment.status != MotionStatus::Undetermined &&
+                         segment.body >= 0 && segment.body < undetermined;
+      label = known ? ranks[segment.body] : undetermined;
+    }
+  // Colours stand out on grey only.
+  const cv::Mat gray = image.empty() ? image : asGray (image);
+  return overlay (gray, groups, [undetermined] (int group) -> cv::Vec3b {
+    if (group == undetermined)
+      return {0, 0, 0};
+    return group == 0 ? cv::Vec3b (200, 200, 200) : labelColor (group - 1);
+  });
+}
+
+} // namespace pcl_msf::io

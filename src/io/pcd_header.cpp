@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "io/pcd_header.h"
+
+#include <pcl/io/lzf.h>
+
+#include "io/input_file.h"
+#include "io/number_text.h"
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace pcl_msf::io {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+const std::set<std::string> kTypes{
+    "F4", "F8", "I1", "I2", "I4", "I8", "U1", "U2", "U4", "U8"};
+const std::set<std::string> kKeywords{"VERSION",
+                                      "FIELDS",
+                                      "SIZE",
+                                      "TYPE",
+                                      "COUNT",
+                                      "WIDTH",
+                                      "HEIGHT",
+                                      "VIEWPOINT",
+                                      "POINTS",
+                                      "DATA"};
+constexpr std::int64_t kLargest = std::int64_t{1} << 40;
+
+/** The header's lines by keyword; PCL's own reader trusts them and crashes where they
+ * disagree. */
+using PcdHeader = std::map<std::string, Words>;
+
+Words
+nextLine (InputFile& file)
+{
+  std::istringstream line (file.line ("header"));
+  Words words;
+  for (std::string word; line >> word;)
+    words.push_back (word);
+  return words;
+}
+
+PcdHeader
+readHeader (InputFile& file)
+{
+  PcdHeader header;
+  while (header.count ("DATA") == 0) {
+    Words words = nextLine (file);
+    if (words.empty() || words[0][0] == '#')
+      continue;
+    const std::string key = words[0] == "COLUMNS" ? "FIELDS" : words[0];
+    if (kKeywords.count (key) == 0)
+      file.fail ("header", "'" + key.substr (0, 32) + "' is no keyword of a .pcd file");
+    words.erase (words.begin());
+    if (key == "VIEWPOINT" && words.size() != 7)
+      file.fail (key, "seven numbers are needed; the header is damaged");
+    if (words.empty() || !header.emplace (key, words).second)
+      file.fail (key.substr (0, 32), "empty or given twice; the header is damaged");
+  }
+  for (const char* key : {"FIELDS", "SIZE", "TYPE", "WIDTH", "HEIGHT", "POINTS"})
+    if (header.count (key) == 0)
+      file.fail (key, "missing; the header is damaged");
+  return header;
+}
+
+std::int64_t
+number (const InputFile& file, const char* key, const std::string& word)
+{
+  std::int64_t value = 0;
+  if (!parseNumber (word, value) || value < 0 || value > kLargest)
+    file.fail (key, "'" + word.substr (0, 32) + "' is no size; the header is damaged");
+  return value;
+}
+
+/** Bytes of a point, of fields whose types PCL knows. */
+std::int64_t
+pointStep (const InputFile& file, const PcdHeader& header)
+{
+  const Words& types = header.at ("TYPE");
+  const Words& sizes = header.at ("SIZE");
+  const std::size_t fields = header.at ("FIELDS").size();
+  const Words counts =
+      header.count ("COUNT") ? header.at ("COUNT") : Words (fields, "1");
+  if (types.size() != fields || sizes.size() != fields || counts.size() != fields)
+    file.fail ("SIZE, TYPE, COUNT",
+               "not one for each of FIELDS; the header is damaged");
+  std::int64_t step = 0;
+  for (std::size_t i = 0; i < fields; ++i) {
+    const std::string type = types[i] + sizes[i];
+    if (kTypes.count (type) == 0)
+      file.fail ("TYPE, SIZE", "'" + type.substr (0, 32) + "' is no type of PCL's");
+    const std::int64_t count = number (file, "COUNT", counts[i]);
+    if (count < 1 || count > 4096)
+      file.fail ("COUNT", "must be 1 .. 4096; the header is damaged");
+    step += count * number (file, "SIZE", sizes[i]);
+  }
+  return step;
+}
+
+/** PCL's reader trusts a packed cloud's sizes and reads on when unpacking has failed,
+ * so it is unpacked here once before. */
+void
+checkPacked (InputFile& file, std::int64_t bytes)
+{
+  const auto packed = file.value<std::uint32_t> ("points");
+  const auto unpacked = file.value<std::uint32_t> ("points");
+  if (static_cast<std::int64_t> (unpacked) != bytes)
+    file.fail ("points", "their unpacked size is not that of the header");
+  if (packed == 0 || packed > file.remaining())
+    file.fail ("points", "fewer bytes than announced; the file is cut short");
+  std::vector<char> from (packed), to (unpacked);
+  file.read (from.data(), packed, "points");
+  if (pcl::lzfDecompress (from.data(), packed, to.data(), unpacked) != unpacked)
+    file.fail ("points", "cannot be unpacked; the file is damaged");
+}
+
+} // namespace
+
+void
+checkPcdHeader (const std::string& path)
+{
+  InputFile file (path);
+  const PcdHeader header = readHeader (file);
+  const std::int64_t width = number (file, "WIDTH", header.at ("WIDTH")[0]);
+  const std::int64_t height = number (file, "HEIGHT", header.at ("HEIGHT")[0]);
+  const std::int64_t points = number (file, "POINTS", header.at ("POINTS")[0]);
+  if (height <= 1)
+    file.fail ("HEIGHT",
+               "the cloud is not organized (height 1); save it as an image of width x "
+               "height points");
+  checkImageSize (path, width, height);
+  if (points != width * height)
+    file.fail ("POINTS", "not WIDTH x HEIGHT; the header is damaged");
+  const std::int64_t bytes = points * pointStep (file, header);
+  const std::string& data = header.at ("DATA")[0];
+  if (data == "binary_compressed")
+    return checkPacked (file, bytes);
+  if (data != "binary" && data != "ascii")
+    file.fail ("DATA", "neither ascii, binary nor binary_compressed");
+  // Text takes a digit and a blank a value at least.
+  const auto values = points * static_cast<std::int64_t> (header.at ("FIELDS").size());
+  const std::int64_t least = data == "binary" ? bytes : 2 * values - 1;
+  if (static_cast<std::int64_t> (file.remaining()) < least)
+    file.fail ("points",
+               "fewer bytes than the header announces; the file is cut short");
+}
+
+} // namespace pcl_msf::io

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <string>
+
+namespace pcl_msf::io {
+
+/** \brief Checks a .pcd file's header against the size of the file, because PCL's
+ * reader allocates what the header says. \throws IoError */
+void
+checkPcdHeader (const std::string& path);
+
+} // namespace pcl_msf::io

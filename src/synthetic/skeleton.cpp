@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <synthetic/scene_props.h>
+#include <synthetic/skeleton.h>
+
+namespace pcl_msf {
+namespace synthetic {
+
+int
+Skeleton::add (const Joint& joint)
+{
+  joints_.push_back (joint);
+  return static_cast<int> (joints_.size()) - 1;
+}
+
+Eigen::Isometry3d
+Skeleton::worldFromLink (int link, double phase) const
+{
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  for (int i = link; i >= 0; i = joints_[i].parent) {
+    const Joint& joint = joints_[i];
+    const Eigen::Vector3d vector = swingAt (phase, joint.start) * joint.turn;
+    const double angle = vector.norm();
+    Eigen::Isometry3d parent_from_link = joint.parent_from_joint;
+    if (angle > 0.0)
+      parent_from_link.rotate (Eigen::AngleAxisd (angle, vector / angle));
+    pose = parent_from_link * pose;
+  }
+  return pose;
+}
+
+Motion
+linkMotion (const std::shared_ptr<const Skeleton>& skeleton, int link)
+{
+  return [=] (double phase) { return skeleton->worldFromLink (link, phase); };
+}
+
+} // namespace synthetic
+} // namespace pcl_msf

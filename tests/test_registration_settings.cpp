@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+#include <pcl_msf/piecewise_rigid_registration.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace pcl_msf;
+using testing::HasSubstr;
+
+using Registration = PiecewiseRigidRegistration<pcl::PointXYZ>;
+
+const double nan_value = std::nan ("");
+
+/** Runs a call that must be refused; returns what it printed. */
+template <typename Call>
+std::string
+refused (const char* method, Call call)
+{
+  testing::internal::CaptureStderr();
+  call();
+  const std::string printed = testing::internal::GetCapturedStderr();
+  EXPECT_THAT (printed,
+               HasSubstr (std::string ("[pcl_msf::PiecewiseRigidRegistration::") +
+                          method + "] "));
+  return printed;
+}
+
+TEST (RegistrationSettings, CameraIsKeptAndBadOnesAreRefused)
+{
+  Registration r;
+  EXPECT_EQ (r.getCamera().fx, 0.0);
+  r.setCamera ({525.0, 526.0, 319.5, 239.5});
+  for (const PinholeCamera& bad : {PinholeCamera{},
+                                   PinholeCamera{-525.0, 525.0, 320.0, 240.0},
+                                   PinholeCamera{525.0, nan_value, 320.0, 240.0},
+                                   PinholeCamera{525.0, 525.0, INFINITY, 240.0}})
+    refused ("setCamera", [&] { r.setCamera (bad); });
+  EXPECT_EQ (r.getCamera().fy, 526.0);
+  r.clearCamera();
+  EXPECT_EQ (r.getCamera().fx, 0.0);
+}
+
+TEST (RegistrationSettings, FrameParameters)
+{
+  Registration r;
+  FrameParameters p;
+  p.max_depth = 8.0;
+  r.setFrameParameters (p);
+  p.smoothing_sigma = nan_value;
+  EXPECT_THAT (refused ("setFrameParameters", [&] { r.setFrameParameters (p); }),
+               HasSubstr ("[0, 10]"));
+  EXPECT_EQ (r.getFrameParameters().max_depth, 8.0);
+  EXPECT_EQ (r.getFrameParameters().smoothing_sigma, FrameParameters{}.smoothing_sigma);
+}
+
+TEST (RegistrationSettings, SegmentationParameters)
+{
+  Registration r;
+  SegmentationParameters p;
+  p.min_points = 500;
+  r.setSegmentationParameters (p);
+  p.threshold = nan_value;
+  refused ("setSegmentationParameters", [&] { r.setSegmentationParameters (p); });
+  EXPECT_EQ (r.getSegmentationParameters().min_points, 500);
+  r.setSegmentSize (40);
+  EXPECT_THAT (refused ("setSegmentSize", [&] { r.setSegmentSize (3); }),
+               HasSubstr ("[4, 512]"));
+  EXPECT_EQ (r.getSegmentSize(), 40);
+  r.setSegmentationMethod (SegmentationMethod::Slic);
+  refused ("setSegmentationMethod",
+           [&] { r.setSegmentationMethod (static_cast<SegmentationMethod> (77)); });
+  EXPECT_EQ (r.getSegmentationMethod(), SegmentationMethod::Slic);
+  EXPECT_EQ (r.getSegmentationParameters().segment_size, 40);
+}
+
+TEST (RegistrationSettings, EnergyParameters)
+{
+  Registration r;
+  EnergyParameters p;
+  p.icp_weight = 2.0;
+  r.setEnergyParameters (p);
+  p.prior_weight = 0.0;
+  refused ("setEnergyParameters", [&] { r.setEnergyParameters (p); });
+  EXPECT_EQ (r.getEnergyParameters().icp_weight, 2.0);
+  r.setRegularizerWeight (0.5);
+  refused ("setRegularizerWeight", [&] { r.setRegularizerWeight (-1.0); });
+  refused ("setRegularizerWeight", [&] { r.setRegularizerWeight (nan_value); });
+  EXPECT_EQ (r.getRegularizerWeight(), 0.5);
+}
+
+TEST (RegistrationSettings, SolverParameters)
+{
+  Registration r;
+  SolverParameters p;
+  p.levels = 2;
+  p.max_iterations = 6;
+  r.setSolverParameters (p);
+  p.function_tolerance = nan_value;
+  refused ("setSolverParameters", [&] { r.setSolverParameters (p); });
+  EXPECT_EQ (r.getSolverParameters().levels, 2);
+  refused ("setMaximumIterations", [&] { r.setMaximumIterations (-1); });
+  EXPECT_EQ (r.getMaximumIterations(), 6);
+  r.setMaximumIterations (4);
+  EXPECT_EQ (r.getSolverParameters().max_iterations, 4);
+  r.setTimeBudget (0.5);
+  for (const double bad : {-1.0, nan_value, double (INFINITY)})
+    refused ("setTimeBudget", [&] { r.setTimeBudget (bad); });
+  EXPECT_EQ (r.getTimeBudget(), 0.5);
+}
+
+TEST (RegistrationSettings, Threads)
+{
+  Registration r;
+  EXPECT_EQ (r.getNumberOfThreads(), 0u);
+  r.setNumberOfThreads (2);
+  refused ("setNumberOfThreads",
+           [&] { r.setNumberOfThreads (static_cast<unsigned> (-1)); });
+  EXPECT_EQ (r.getNumberOfThreads(), 2u);
+  r.setNumberOfThreads();
+  EXPECT_EQ (r.getNumberOfThreads(), 0u);
+}
+
+TEST (RegistrationSettings, ProgressCallback)
+{
+  Registration r;
+  EXPECT_FALSE (r.getProgressCallback());
+  r.setProgressCallback ([] (const Progress&) { return true; });
+  EXPECT_TRUE (r.getProgressCallback());
+}
+
+TEST (RegistrationSettings, SegmentationFromOutside)
+{
+  Registration r;
+  using Labels = pcl::PointCloud<pcl::Label>;
+  const auto labels = pcl::make_shared<Labels> (4, 3);
+  r.setSegmentation (labels);
+  EXPECT_EQ (r.getSegmentationLabels(), labels);
+  refused ("setSegmentation", [&] { r.setSegmentation (Labels::ConstPtr()); });
+  refused ("setSegmentation",
+           [&] { r.setSegmentation (pcl::make_shared<Labels> (12, 1)); });
+  std::vector<pcl::PointIndices> clusters (2);
+  refused ("setSegmentation", [&] { r.setSegmentation (clusters); });
+  EXPECT_EQ (r.getSegmentationLabels(), labels);
+  clusters[1].indices = {3, 4};
+  r.setSegmentation (clusters);
+  EXPECT_EQ (r.getSegmentationIndices().size(), 2u);
+  EXPECT_FALSE (r.getSegmentationLabels());
+  r.clearSegmentation();
+  EXPECT_TRUE (r.getSegmentationIndices().empty());
+}
+
+TEST (RegistrationSettings, SourceNormals)
+{
+  Registration r;
+  using Normals = pcl::PointCloud<pcl::Normal>;
+  const auto normals = pcl::make_shared<Normals> (4, 3);
+  r.setSourceNormals (normals);
+  refused ("setSourceNormals",
+           [&] { r.setSourceNormals (pcl::make_shared<Normals> (12, 1)); });
+  EXPECT_EQ (r.getSourceNormals(), normals);
+  r.setSourceNormals (nullptr);
+  EXPECT_FALSE (r.getSourceNormals());
+}
+
+TEST (RegistrationSettings, IndicesOfARectangleOutsideAreRefused)
+{
+  Registration r;
+  refused ("setIndices", [&] { r.setIndices (0, 0, 1, 1); }); // no source yet
+  r.setInputSource (pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (4, 3));
+  refused ("setIndices", [&] { r.setIndices (0, 0, 4, 4); });
+  refused ("setIndices",
+           [&] { r.setIndices (1, 1, std::numeric_limits<std::size_t>::max(), 1); });
+  EXPECT_FALSE (r.getIndices());
+  r.setIndices (1, 1, 2, 2);
+  EXPECT_THAT (*r.getIndices(), testing::ElementsAre (5, 6, 9, 10));
+}
+
+} // namespace
