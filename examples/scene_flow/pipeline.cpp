@@ -9,6 +9,7 @@
 #include <pcl_msf/rgbd_frame.h>
 #include <pcl_msf/scene_flow_estimator.h>
 
+#include <algorithm>
 #include <chrono>
 #include <future>
 
@@ -53,7 +54,8 @@ Outcome
 runPipeline (const Options& options)
 {
   if (options.solver.threads > 0)
-    cv::setNumThreads (static_cast<int> (options.solver.threads));
+    cv::setNumThreads (
+        std::min (static_cast<int> (options.solver.threads), cv::getNumberOfCPUs()));
   ProgressLine line (!options.quiet);
   Outcome outcome;
   StopWatch total, watch;
@@ -65,8 +67,9 @@ runPipeline (const Options& options)
   line.stage ("frames");
   const auto policy =
       options.solver.threads == 1 ? std::launch::deferred : std::launch::async;
-  auto later =
-      std::async (policy, [&] { return makeFrame (inputs.current, options.frame); });
+  FrameParameters target = options.frame;
+  target.normals = NormalMethod::None;
+  auto later = std::async (policy, [&] { return makeFrame (inputs.current, target); });
   const RgbdFrame reference = makeFrame (inputs.reference, options.frame);
   const RgbdFrame current = later.get();
   outcome.seconds.frame = watch.lap();

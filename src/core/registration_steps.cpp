@@ -92,8 +92,10 @@ makeFrames (CloudImages source,
   cv::Mat normals = source_normals.clone();
   if (!normals.empty())
     cv::patchNaNs (normals, 0.0);
+  FrameParameters target_parameters = parameters;
+  target_parameters.normals = NormalMethod::None;
   return {RgbdFrame::fromImages (source.color, source_depth, used, parameters, normals),
-          RgbdFrame::fromImages (target.color, target_depth, used, parameters)};
+          RgbdFrame::fromImages (target.color, target_depth, used, target_parameters)};
 }
 
 Oversegmentation
