@@ -8,8 +8,12 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr double kHiddenSigmas =
-    4.0; // a hidden point costs what a misfit like this does
+// What residuals that are not compared cost, as misfits of so many deviations. Hidden
+// ones must cost less than a wrong match and more than a right one.
+constexpr double kWrongMatch = 4.0; // also the limit of a probe's residuals
+constexpr double kNoDepth = 3.0;
+constexpr double kOccludedPoint = 2.5;
+constexpr double kOutOfView = 2.0;
 
 kernel::Motion
 kernelMotion (const RigidPose& pose,
@@ -76,11 +80,11 @@ makeRules (const EnergyParameters& energy, const SegmentPixels& pixels)
     return static_cast<float> (huber >= sigmas ? 0.5 * sigmas * sigmas
                                                : huber * (sigmas - 0.5 * huber));
   };
-  rules.conflict_cost = cost_of (4);
-  rules.occluded_cost = cost_of (2.5);
-  rules.outside_cost = cost_of (2);
-  rules.unknown_cost = cost_of (3);
-  rules.truncation = cost_of (4);
+  rules.conflict_cost = cost_of (kWrongMatch);
+  rules.occluded_cost = cost_of (kOccludedPoint);
+  rules.outside_cost = cost_of (kOutOfView);
+  rules.unknown_cost = cost_of (kNoDepth);
+  rules.truncation = cost_of (kWrongMatch);
   rules.brightness_weight = static_cast<float> (scale * energy.brightness_weight /
                                                 std::max (1, pixels.brightness_count));
   rules.icp_weight =

@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace pcl_msf {
 
@@ -67,29 +65,6 @@ JointProblem::PrepareForEvaluation (bool evaluate_jacobians, bool)
   DataTerm& data = energy_.data_;
   const Pass jacobian_pass = keep_ ? Pass::LinearizeKept : Pass::Linearize;
   data.sweep (state_, evaluate_jacobians ? jacobian_pass : Pass::Cost);
-  if (getenv ("VV")) {
-    double B = 0, I = 0;
-    for (int k = 0; k < data.pixels().segments(); k++) {
-      B += data.of (k).brightness_cost;
-      I += data.of (k).icp_cost;
-    }
-    int nb = 0, ni = 0, no = 0, nx = 0;
-    for (auto a : data.active()) {
-      nb += a & 1;
-      ni += (a >> 1) & 1;
-      no += (a >> 2) & 1;
-      nx += (a >> 3) & 1;
-    }
-    printf ("   %d B %.5f I %.5f on %d %d occ %d out %d of %zu\n",
-            evaluate_jacobians,
-            B,
-            I,
-            nb,
-            ni,
-            no,
-            nx,
-            data.active().size());
-  }
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     Matrix6 information = Matrix6::Zero();
     Vector6 gradient = Vector6::Zero();

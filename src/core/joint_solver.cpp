@@ -9,8 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace pcl_msf {
 
@@ -142,15 +140,8 @@ JointEnergy::minimize (const SolverParameters& solver,
   ceres::Solver::Options options = solverOptions (solver, monitor);
   options.callbacks.push_back (&callback);
   ceres::Solver::Summary summary;
-  if (solver.max_iterations > 0 && !monitor.stopped()) {
-    if (getenv ("VV")) {
-      options.minimizer_progress_to_stdout = true;
-      options.logging_type = ceres::PER_MINIMIZER_ITERATION;
-    }
+  if (solver.max_iterations > 0 && !monitor.stopped())
     ceres::Solve (options, &problem.problem(), &summary);
-    if (getenv ("VV"))
-      puts (summary.FullReport().c_str());
-  }
   relaxWeights (state);
   outcome.final = evaluate (state);
   outcome.iterations = static_cast<int> (summary.iterations.size());

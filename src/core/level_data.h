@@ -28,7 +28,7 @@ struct LevelData {
              int threads)
   : texture (current), focal_length (reference.camera.fx)
   {
-    const int kProbesPerSegment = 64;
+    constexpr int kProbesPerSegment = 64;
     PointOptions options{noise, relative_tolerance, change, kProbesPerSegment, threads};
     probes = groupPixels (reference, labels, segments, options);
     options.max_per_segment = 0;

@@ -8,7 +8,8 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr double kMostlyHidden = 0.5;
+constexpr double kOwnWay = 0.05;      // mean cost that a motion of one's own must save
+constexpr double kMostlyHidden = 0.5; // share of residuals
 constexpr double kClearlyBetter = 0.995; // a change must lower the cost by this factor
 
 } // namespace
@@ -63,7 +64,7 @@ PoseProposals::improve (int segment,
 {
   double best = kClearlyBetter * cost (segment, pose, state);
   bool changed = false;
-  const double alone = 0.05 * energy_.data().totalWeight (segment);
+  const double alone = kOwnWay * energy_.data().totalWeight (segment);
   const auto offer = [&] (const RigidPose& candidate, double extra) {
     if (candidate.parameters == pose.parameters)
       return;

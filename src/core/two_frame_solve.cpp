@@ -20,9 +20,11 @@ constexpr int kCoarsestLevel = 2; // the first joint solve
 constexpr double kRelativeTolerance =
     0.01; // of the z-test at level 0; doubles per level
 constexpr double kLeastIntensityNoise = 0.005;
-constexpr double kMergeAllowance = 10.0; // per merge, in squared deviations
-constexpr double kMergePerPoint = 0.05;  // per point of the smaller body
-constexpr double kSeparation = 0.15;     // mean cost that a body of one's own must save
+constexpr double kModelError = 0.15; // pixels that rigid segments leave unexplained
+constexpr double kRelativeDepthNoise = 0.003; // of inverse depth, beside the noise
+constexpr double kMergeAllowance = 10.0;      // per merge, in squared deviations
+constexpr double kMergePerPoint = 0.05;       // per point of the smaller body
+constexpr double kSeparation = 0.15; // mean cost that a body of one's own must save
 constexpr int kReassignRounds = 3;
 constexpr int kLastIterations = 4; // after the last merge
 constexpr double kSettled =
@@ -78,8 +80,8 @@ TwoFrameSolve::prepare()
       std::max (reference_.inverseDepthNoise(), current_.inverseDepthNoise());
   noise_.intensity = std::max (
       {reference_.intensityNoise(), current_.intensityNoise(), kLeastIntensityNoise});
-  noise_.displacement = 0.15;
-  noise_.relative_depth = 0.001;
+  noise_.displacement = kModelError;
+  noise_.relative_depth = kRelativeDepthNoise;
 }
 
 LevelData
@@ -159,8 +161,10 @@ TwoFrameSolve::refine (int at)
     constexpr int kRounds = 2;
     proposals.run (kRounds, state_);
   }
+  // The finest level is about half of the work, the start a fifth.
+  const double begin = at == 0 ? 0.5 : 0.5 - 0.15 * at;
   monitor_.enter (
-      "solve", at, 0.3 + 0.2 * (2 - at), 0.5 + 0.2 * (2 - at), solver_.max_iterations);
+      "solve", at, begin, begin + (at == 0 ? 0.3 : 0.15), solver_.max_iterations);
   JointEnergy::Outcome outcome = energy.minimize (solver_, monitor_, state_);
   if (at == 0)
     report_.initial_cost = outcome.initial;
@@ -169,6 +173,7 @@ TwoFrameSolve::refine (int at)
     if (at == 0) {
       SolverParameters last = solver_;
       last.max_iterations = std::min (solver_.max_iterations, kLastIterations);
+      monitor_.enter ("bodies", at, 0.8, 1.0, last.max_iterations);
       outcome = energy.minimize (last, monitor_, state_);
     }
   }
