@@ -34,6 +34,9 @@ function (pcl_msf_library target)
   set_target_properties (${target} PROPERTIES
     EXPORT_NAME ${export_name} VERSION ${PROJECT_VERSION}
     SOVERSION ${PROJECT_VERSION_MAJOR} POSITION_INDEPENDENT_CODE ON)
+  if (BUILD_SHARED_LIBS) # the components find each other wherever they are installed
+    set_target_properties (${target} PROPERTIES INSTALL_RPATH "$ORIGIN")
+  endif ()
   add_library (pcl_msf::${export_name} ALIAS ${target})
   pcl_msf_install_library (${target})
 endfunction ()

@@ -68,8 +68,8 @@ TEST (SceneFlowOptions, ReachesTheParameters)
              "--regularizer-weight 4 --prior-weight 5 --huber-threshold 6 --loss l2 "
              "--pose-difference parameters --neighbors 7 --max-iterations 8 "
              "--function-tolerance 1e-4 --parameter-tolerance 1e-5 --max-seconds 9 "
-             "--linear-solver cgnr --levels 2 --flow-proposals 0 --merge-bodies 0 "
-             "--threads 5 --flow-max 12 --labels l --quiet");
+             "--linear-solver cholesky --levels 2 --flow-proposals 0 --blend-motions 0 "
+             "--merge-bodies 0 --threads 5 --flow-max 12 --labels l --quiet");
   EXPECT_EQ (o.frame.smoothing_sigma, 1.5);
   EXPECT_EQ (o.frame.min_depth, 0.3);
   EXPECT_EQ (o.frame.max_depth, 9.0);
@@ -92,9 +92,10 @@ TEST (SceneFlowOptions, ReachesTheParameters)
   EXPECT_EQ (o.solver.function_tolerance, 1e-4);
   EXPECT_EQ (o.solver.parameter_tolerance, 1e-5);
   EXPECT_EQ (o.solver.max_seconds, 9.0);
-  EXPECT_EQ (o.solver.linear_solver, LinearSolver::Cgnr);
+  EXPECT_EQ (o.solver.linear_solver, LinearSolver::SparseCholesky);
   EXPECT_EQ (o.solver.levels, 2);
   EXPECT_FALSE (o.solver.flow_proposals);
+  EXPECT_FALSE (o.solver.blend_motions);
   EXPECT_FALSE (o.solver.merge_bodies);
   EXPECT_EQ (o.solver.threads, 5U);
   EXPECT_EQ (o.flow_maximum, 12.0);

@@ -192,6 +192,8 @@ solverOptions (SolverParameters& p)
        numeric ("--levels", "N", "pyramid levels to use", p.levels),
        switchable (
            "--flow-proposals", "start from optical flow, too", p.flow_proposals),
+       switchable (
+           "--blend-motions", "points follow connected segments, too", p.blend_motions),
        switchable ("--merge-bodies", "join what moves as one body", p.merge_bodies),
        numeric ("--threads", "N", "0 = all", p.threads)}};
 }

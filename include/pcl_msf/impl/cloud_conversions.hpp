@@ -86,7 +86,7 @@ pointImage (const pcl::PointCloud<PointT>& cloud)
 {
   requireOrganized (cloud, "cloud");
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-  return detail::mapPoints<cv::Vec3f> (cloud, [nan] (const PointT& p) {
+  return detail::mapPoints<cv::Vec3f> (cloud, [] (const PointT& p) {
     return pcl::isXYZFinite (p) && p.z > 0.0f ? cv::Vec3f (p.x, p.y, p.z)
                                               : cv::Vec3f (nan, nan, nan);
   });
