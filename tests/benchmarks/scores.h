@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-#include <pcl_msf/io/images.h>
+#include <pcl_msf/io/data_folder.h>
 #include <pcl_msf/scene_flow.h>
 
 #include <vector>
