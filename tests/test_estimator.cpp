@@ -324,6 +324,16 @@ TEST_F (Room, TimeBudgetIsKept)
   EXPECT_NE (estimate (solver).report.stop_reason, StopReason::TimeLimit);
 }
 
+TEST_F (Room, NoIterationsStillGiveAResult)
+{
+  SolverParameters solver = alone();
+  solver.max_iterations = 0;
+  const SceneFlow result = estimate (solver);
+  EXPECT_EQ (result.report.iterations, 0);
+  EXPECT_EQ (result.report.stop_reason, StopReason::IterationLimit);
+  EXPECT_EQ (result.flow.size(), view_.depth.size());
+}
+
 TEST_F (Room, EveryVariantOfTheEnergySolvesIt)
 {
   std::vector<EnergyParameters> energies (5);
