@@ -4,94 +4,15 @@
 
 #include <Eigen/Geometry>
 
-#include "support/analytic_scene.h"
 #include "support/points.h"
-#include <gmock/gmock.h>
-#include <pcl_msf/errors.h>
-#include <pcl_msf/scene_flow_estimator.h>
+#include "support/room.h"
 
-#include <algorithm>
-#include <chrono>
-#include <cstring>
-#include <functional>
+#include <cmath>
 
 namespace {
 
 using namespace pcl_msf;
-using testing::HasSubstr;
-
-/** The room with the moving box, and what the estimator makes of it. */
-class Room : public testing::Test {
-protected:
-  Room()
-  {
-    view_.depth (kHole) = std::nanf ("");
-    reference_ = scene_.frame (view_);
-    current_ = scene_.frame (scene_.render (true));
-    SegmentationParameters cut;
-    cut.segment_size = 16;
-    segments_ = Oversegmentation::fromFrame (reference_, cut);
-  }
-
-  /** One thread where the test does not ask for more. */
-  static SolverParameters
-  alone ()
-  {
-    SolverParameters solver;
-    solver.threads = 1;
-    return solver;
-  }
-
-  SceneFlow
-  estimate (const SolverParameters& solver = alone(), const RigidPose& guess = {}) const
-  {
-    return SceneFlowEstimator ({}, solver)
-        .estimate (reference_, current_, segments_, guess);
-  }
-
-  /** End-point errors of the points seen in both frames, sorted. */
-  std::vector<double>
-  errors (const SceneFlow& result, int body = -1) const
-  {
-    const test::Truth truth = scene_.truth (view_);
-    std::vector<double> errors;
-    for (int y = 0; y < scene_.height; ++y)
-      for (int x = 0; x < scene_.width; ++x) {
-        const bool wanted = body < 0 || view_.body.at<int> (y, x) == body;
-        if (!truth.visible.at<unsigned char> (y, x) || !wanted ||
-            kHole.contains ({x, y}))
-          continue;
-        const double error = cv::norm (result.flow.at<cv::Vec2f> (y, x) -
-                                       truth.flow.at<cv::Vec2f> (y, x));
-        errors.push_back (std::isfinite (error) ? error : 100.0);
-      }
-    std::sort (errors.begin(), errors.end());
-    return errors;
-  }
-
-  static double
-  mean (const std::vector<double>& values)
-  {
-    double sum = 0.0;
-    for (const double v : values)
-      sum += v;
-    return sum / static_cast<double> (values.size());
-  }
-
-  const cv::Rect kHole{20, 30, 9, 7};
-  test::AnalyticScene scene_{test::roomWithBox()};
-  test::View view_{scene_.render (false)};
-  RgbdFrame reference_, current_;
-  Oversegmentation segments_;
-};
-
-bool
-sameBytes (const cv::Mat& a, const cv::Mat& b)
-{
-  return a.size() == b.size() && a.type() == b.type() && a.isContinuous() &&
-         b.isContinuous() &&
-         std::memcmp (a.data, b.data, a.total() * a.elemSize()) == 0;
-}
+using Room = test::Room;
 
 TEST_F (Room, FlowIsRightWhereBothFramesSee)
 {
@@ -155,9 +76,10 @@ TEST_F (Room, DominantMotionIsTheCamerasOwn)
 {
   const RigidPose found = estimate().dominant_motion;
   const RigidPose error = found * scene_.motions[0].inverse();
-  EXPECT_LT (error.angle(), 0.0005);
+  // 0.15 pixels, what the noise model grants rigid segments anyway.
+  EXPECT_LT (error.angle(), 0.15 / scene_.camera.fx);
   const Eigen::Vector3d p (0.0, 0.0, 2.5);
-  EXPECT_LT ((found * p - scene_.motions[0] * p).norm(), 0.001);
+  EXPECT_LT ((found * p - scene_.motions[0] * p).norm(), 0.15 * 2.5 / scene_.camera.fx);
 }
 
 TEST_F (Room, UnknownIsNaNAndHiddenIsSaid)
@@ -195,67 +117,6 @@ TEST_F (Room, UnknownIsNaNAndHiddenIsSaid)
   EXPECT_GT (said_seen, 0.95 * seen);
 }
 
-TEST_F (Room, SameBytesForAnyNumberOfThreadsAndEveryTime)
-{
-  SolverParameters solver = alone();
-  solver.threads = 1;
-  const SceneFlow first = estimate (solver);
-  for (const unsigned threads : {1u, 2u, 5u}) {
-    solver.threads = threads;
-    const SceneFlow other = estimate (solver);
-    EXPECT_TRUE (sameBytes (first.flow, other.flow)) << threads;
-    EXPECT_TRUE (sameBytes (first.displacement, other.displacement)) << threads;
-    EXPECT_TRUE (sameBytes (first.visibility, other.visibility)) << threads;
-    EXPECT_EQ (first.report.final_cost.total(), other.report.final_cost.total());
-    ASSERT_EQ (first.segments.size(), other.segments.size());
-    for (std::size_t k = 0; k < first.segments.size(); ++k) {
-      EXPECT_EQ (first.segments[k].information, other.segments[k].information);
-      EXPECT_EQ (first.segments[k].body, other.segments[k].body);
-    }
-  }
-}
-
-TEST_F (Room, ReportTellsTheTruth)
-{
-  const SceneFlow result = estimate();
-  const Report& report = result.report;
-  EXPECT_TRUE (report.stop_reason == StopReason::Converged ||
-               report.stop_reason == StopReason::IterationLimit);
-  EXPECT_EQ (report.converged, report.stop_reason == StopReason::Converged);
-  EXPECT_GT (report.iterations, 0);
-  EXPECT_EQ (report.history.size(), static_cast<std::size_t> (report.iterations));
-  EXPECT_LE (report.final_cost.total(), report.initial_cost.total());
-  EXPECT_EQ (result.segments.size(), static_cast<std::size_t> (segments_.size()));
-  for (const SegmentMotion& segment : result.segments)
-    EXPECT_TRUE (segment.current_from_reference.isFinite());
-  for (const SegmentPair& pair : result.pairs) {
-    EXPECT_LT (pair.first, pair.second);
-    EXPECT_GE (pair.weight, 0.0);
-    EXPECT_LE (pair.weight, 1.0 + 1e-9);
-  }
-}
-
-TEST_F (Room, GuessBringsHomeWhatNothingElseFinds)
-{
-  // Half a metre to the side, and no optical flow to suggest it.
-  test::AnalyticScene far = scene_;
-  far.motions.assign (2, test::turnAbout ({0, 0, 2.5}, {0.0, 0.02, 0.0}, {0.5, 0, 0}));
-  const RgbdFrame current = far.frame (far.render (true));
-  SolverParameters solver = alone();
-  solver.flow_proposals = false;
-  RigidPose guess = far.motions[0];
-  guess.parameters[3] += 0.02;
-  const auto off = [&] (const RigidPose& start) {
-    const RigidPose found = SceneFlowEstimator ({}, solver)
-                                .estimate (reference_, current, segments_, start)
-                                .dominant_motion;
-    const Eigen::Vector3d p (0.0, 0.0, 2.5);
-    return (found * p - far.motions[0] * p).norm();
-  };
-  EXPECT_GT (off ({}), 0.1);
-  EXPECT_LT (off (guess), 0.005);
-}
-
 TEST_F (Room, OneSegmentIsARigidScene)
 {
   test::AnalyticScene rigid = scene_;
@@ -273,65 +134,6 @@ TEST_F (Room, OneSegmentIsARigidScene)
   const RigidPose error = result.dominant_motion * rigid.motions[0].inverse();
   EXPECT_LT (error.angle(), 0.0003);
   EXPECT_LT (error.translation().norm(), 0.001);
-}
-
-TEST_F (Room, ProgressCanCancelAndTheResultIsUsable)
-{
-  int calls = 0;
-  double last = 0.0;
-  SolverParameters solver = alone();
-  solver.progress = [&] (const Progress& p) {
-    EXPECT_GE (p.fraction, last);
-    EXPECT_LE (p.fraction, 1.0);
-    EXPECT_EQ (p.iteration, calls + 1);
-    last = p.fraction;
-    return ++calls < 3;
-  };
-  const SceneFlow result = estimate (solver);
-  EXPECT_EQ (calls, 3);
-  EXPECT_EQ (result.report.stop_reason, StopReason::Cancelled);
-  EXPECT_FALSE (result.report.converged);
-  EXPECT_EQ (result.flow.size(), view_.depth.size());
-  const auto all = errors (result);
-  EXPECT_LT (all[all.size() / 2], 1.0); // the start is good already
-}
-
-TEST_F (Room, ProgressIsMonotonicToTheEnd)
-{
-  double last = 0.0;
-  SolverParameters solver = alone();
-  solver.progress = [&] (const Progress& p) {
-    EXPECT_GE (p.fraction, last);
-    EXPECT_LE (p.fraction, 1.0);
-    EXPECT_STRNE (p.stage, "");
-    last = p.fraction;
-    return true;
-  };
-  estimate (solver);
-  EXPECT_GT (last, 0.5);
-}
-
-TEST_F (Room, TimeBudgetIsKept)
-{
-  SolverParameters solver = alone();
-  solver.max_seconds = 1e-6;
-  const SceneFlow result = estimate (solver);
-  EXPECT_EQ (result.report.stop_reason, StopReason::TimeLimit);
-  EXPECT_FALSE (result.report.converged);
-  EXPECT_EQ (result.report.iterations, 0);
-  EXPECT_EQ (result.flow.size(), view_.depth.size());
-  solver.max_seconds = 1000.0;
-  EXPECT_NE (estimate (solver).report.stop_reason, StopReason::TimeLimit);
-}
-
-TEST_F (Room, NoIterationsStillGiveAResult)
-{
-  SolverParameters solver = alone();
-  solver.max_iterations = 0;
-  const SceneFlow result = estimate (solver);
-  EXPECT_EQ (result.report.iterations, 0);
-  EXPECT_EQ (result.report.stop_reason, StopReason::IterationLimit);
-  EXPECT_EQ (result.flow.size(), view_.depth.size());
 }
 
 TEST_F (Room, EveryVariantOfTheEnergySolvesIt)
@@ -384,62 +186,6 @@ TEST (GeometryOnly, BumpySurfaceIsEnough)
   EXPECT_LT ((result.dominant_motion * p - motion * p).norm(), 0.002);
   EXPECT_LT ((result.dominant_motion * motion.inverse()).angle(), 0.001);
   EXPECT_GT (cv::countNonZero (result.visibility == Visible), 0.85 * 160 * 120);
-}
-
-TEST_F (Room, RefusesBadInputAndSaysWhy)
-{
-  const auto refused = [] (const std::function<void()>& call, const char* remedy) {
-    try {
-      call();
-      ADD_FAILURE() << "accepted: " << remedy;
-    }
-    catch (const InvalidInput& error) {
-      EXPECT_THAT (error.what(), HasSubstr (remedy));
-    }
-  };
-  const auto run = [] (const RgbdFrame& a,
-                       const RgbdFrame& b,
-                       const Oversegmentation& s,
-                       const RigidPose& guess = {}) {
-    SceneFlowEstimator().estimate (a, b, s, guess);
-  };
-  const cv::Mat small (60, 80, CV_32FC1, cv::Scalar (2));
-  const RgbdFrame other = RgbdFrame::fromImages (small, small, {80, 80, 40, 30});
-  const RgbdFrame bare = RgbdFrame::fromImages ({}, view_.depth, scene_.camera);
-  refused ([&] { run ({}, current_, segments_); }, "a frame is empty");
-  refused ([&] { run (reference_, {}, segments_); }, "a frame is empty");
-  refused ([&] { run (reference_, other, segments_); }, "differ in size; resample");
-  refused ([&] { run (reference_, bare, segments_); }, "one frame has colour");
-  refused ([&] { run (reference_, current_, {}); }, "not of the reference frame");
-  refused ([&] { run (other, other, segments_); }, "not of the reference frame");
-  RigidPose nan;
-  nan.parameters[4] = std::nan ("");
-  refused ([&] { run (reference_, current_, segments_, nan); },
-           "give radians and metres");
-  EnergyParameters energy;
-  energy.prior_weight = 0.0;
-  refused (
-      [&] {
-        SceneFlowEstimator (energy, {}).estimate (reference_, current_, segments_);
-      },
-      "prior_weight must be > 0");
-  SolverParameters solver = alone();
-  solver.levels = 0;
-  refused ([&] { estimate (solver); }, "levels must be in [1, 10]");
-}
-
-TEST_F (Room, AbsurdGuessesDoNoHarm)
-{
-  for (int axis = 0; axis < 6; ++axis) {
-    RigidPose guess;
-    guess.parameters[axis] = 1e5;
-    const auto all = errors (estimate (alone(), guess));
-    EXPECT_LT (all[all.size() / 2], 0.3) << axis;
-    for (const double refused : {1e39, 1e200, -1e200}) {
-      guess.parameters[axis] = refused;
-      EXPECT_THROW (estimate (alone(), guess), InvalidInput);
-    }
-  }
 }
 
 } // namespace
