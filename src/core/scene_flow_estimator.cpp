@@ -4,6 +4,8 @@
 #include <pcl_msf/errors.h>
 #include <pcl_msf/scene_flow_estimator.h>
 
+#include <cmath>
+
 namespace pcl_msf {
 
 namespace {
@@ -30,8 +32,11 @@ requireUsable (const RgbdFrame& reference,
   if (segments.size() < 1 || segments.labels().cols != reference.width() ||
       segments.labels().rows != reference.height())
     throw InvalidInput ("the segmentation is not of the reference frame");
-  if (!guess.isFinite())
-    throw InvalidInput ("the guess is not finite");
+  constexpr double kAbsurd = 1e6; // metres or radians; far below what overflows
+  for (const double parameter : guess.parameters)
+    if (!(std::abs (parameter) <= kAbsurd))
+      throw InvalidInput ("the guess is not finite or absurdly large; give radians and "
+                          "metres");
 }
 
 } // namespace

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <gtest/gtest.h>
+
+#include "core/body_assignment.h"
+#include "support/two_bodies.h"
+
+namespace {
+
+using namespace pcl_msf;
+
+constexpr double kSeparation = 0.3;
+constexpr int kRounds = 3;
+constexpr int kStray = 19; // amid the left half
+
+class BodyAssignment : public testing::Test {
+protected:
+  int
+  reassign (MotionState& state, int threads = 1)
+  {
+    return reassignBodies (data_, scene_.links(), kSeparation, kRounds, threads, state);
+  }
+
+  test::TiledScene scene_{test::foldedWall()};
+  DataTerm data_{scene_.data()};
+};
+
+TEST_F (BodyAssignment, RightOnesStay)
+{
+  MotionState state = scene_.solved();
+  EXPECT_EQ (reassign (state), 0);
+  EXPECT_EQ (state.body_of, scene_.solved().body_of);
+}
+
+TEST_F (BodyAssignment, StraySegmentComesHome)
+{
+  MotionState state = scene_.solved();
+  ASSERT_EQ (state.body_of[kStray], 0);
+  state.body_of[kStray] = 1;
+  EXPECT_EQ (reassign (state), 1);
+  EXPECT_EQ (state.body_of, scene_.solved().body_of);
+}
+
+TEST_F (BodyAssignment, BodyOfALostSegmentDisappears)
+{
+  MotionState state = scene_.solved();
+  RigidPose lost;
+  lost.parameters = {0.1, 0.2, -0.1, 0.3, -0.2, 0.4};
+  state.poses.push_back (lost);
+  state.body_of[kStray] = 2;
+  EXPECT_EQ (reassign (state), 1);
+  EXPECT_EQ (state.poses.size(), 2u);
+  EXPECT_TRUE (test::samePartition (state.body_of, scene_.bodyOf()));
+}
+
+TEST_F (BodyAssignment, SegmentWithAMotionOfItsOwnKeepsIt)
+{
+  // The other half's true motion, known to nobody else: the points insist.
+  MotionState state = scene_.solved();
+  for (std::size_t k = 0; k < state.body_of.size(); ++k)
+    if (scene_.bodyOf()[k] == 1)
+      state.body_of[k] = static_cast<int> (k) == 20 ? 1 : 0;
+  reassign (state);
+  EXPECT_EQ (state.poseOf (20).parameters, scene_.solved().poses[1].parameters);
+}
+
+TEST_F (BodyAssignment, SameForAnyNumberOfThreads)
+{
+  std::vector<int> first;
+  for (const int threads : {1, 2, 5}) {
+    MotionState state = scene_.solved();
+    for (std::size_t k = 0; k < state.body_of.size(); k += 3)
+      state.body_of[k] = 1 - state.body_of[k];
+    EXPECT_GT (reassign (state, threads), 0);
+    if (first.empty())
+      first = state.body_of;
+    EXPECT_EQ (state.body_of, first);
+  }
+}
+
+} // namespace

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "core/body_merging.h"
+#include "support/two_bodies.h"
+
+#include <random>
+
+namespace {
+
+using namespace pcl_msf;
+using Pass = DataTerm::Pass;
+
+MergeRules
+rules (const test::TiledScene& scene)
+{
+  return {scene.residualScale(), 10.0, 0.05};
+}
+
+/** Every segment a little off its motion, as estimates are: a tenth of a pixel. */
+MotionState
+estimated (const test::TiledScene& scene, const SegmentPixels& pixels)
+{
+  std::mt19937 generator (1);
+  std::uniform_real_distribution<double> uniform (-1.0, 1.0);
+  const auto vector = [&] (double scale) {
+    return Eigen::Vector3d (scale * uniform (generator),
+                            scale * uniform (generator),
+                            scale * uniform (generator));
+  };
+  MotionState state = scene.truth();
+  for (std::size_t k = 0; k < state.poses.size(); ++k)
+    state.poses[k] =
+        test::turnAbout (pixels.centroid[k], vector (2e-3), vector (1e-3)) *
+        state.poses[k];
+  return state;
+}
+
+TEST (BodyMerging, TwoMotionsMakeTwoBodies)
+{
+  test::TiledScene scene (test::foldedWall());
+  DataTerm data = scene.data();
+  const MotionState before = estimated (scene, scene.pixels());
+  data.sweep (before, Pass::Linearize);
+  const MotionState after = mergeBodies (data, scene.links(), rules (scene), before);
+  ASSERT_EQ (after.poses.size(), 2u);
+  EXPECT_TRUE (test::samePartition (after.body_of, scene.bodyOf()));
+  // The common poses are the true motions to a few hundredths of a pixel.
+  for (int k = 0; k < scene.pixels().segments(); ++k) {
+    const Eigen::Vector3d& c = scene.pixels().centroid[k];
+    EXPECT_LT ((after.poseOf (k) * c - scene.truth().poseOf (k) * c).norm(), 1e-3) << k;
+  }
+  EXPECT_EQ (after.weights.size(), scene.links().size());
+}
+
+TEST (BodyMerging, SegmentWithoutTextureJoinsItsNeighbours)
+{
+  test::TiledScene scene (test::foldedWall());
+  constexpr int kBlind = 20; // amid the right half: a plane alone leaves three freedoms
+  SegmentPixels& pixels = scene.pixels();
+  for (int i = pixels.begin[kBlind]; i < pixels.begin[kBlind + 1]; ++i)
+    pixels.brightness_scale[i] = 0.0f;
+  DataTerm data = scene.data();
+  MotionState before = estimated (scene, pixels);
+  // It slid along its plane, and nothing told it.
+  const Eigen::Vector3d along = Eigen::Vector3d (6.0, 0, 1.6).normalized();
+  RigidPose& blind = before.poses[kBlind];
+  const Eigen::Vector3d slip = 0.05 * (blind.rotation() * along);
+  for (int i = 0; i < 3; ++i)
+    blind.parameters[3 + i] += slip[i];
+  data.sweep (before, Pass::Linearize);
+  const MotionState after = mergeBodies (data, scene.links(), rules (scene), before);
+  EXPECT_EQ (after.poses.size(), 2u);
+  EXPECT_TRUE (test::samePartition (after.body_of, scene.bodyOf()));
+  const Eigen::Vector3d& c = pixels.centroid[kBlind];
+  EXPECT_LT ((after.poseOf (kBlind) * c - scene.truth().poseOf (kBlind) * c).norm(),
+             2e-3);
+}
+
+/** Four by three plates of 40 pixels, each with a motion of its own. */
+test::AnalyticScene
+loosePlates ()
+{
+  test::AnalyticScene s;
+  for (int i = 0; i < 12; ++i) {
+    const double x = 0.64 * (i % 4) - 1.28;
+    const double y = 0.64 * (i / 4) - 0.96;
+    s.quads.push_back ({{x, y, 2.4}, {0.64, 0, 0}, {0, 0.64, 0}, i, 0.5 + 1.3 * i});
+    const double a = 2.4 * i;
+    s.motions.push_back (
+        test::turnAbout ({x + 0.3, y + 0.3, 2.4},
+                         {0, 0, 0.01 * std::cos (1.7 * i)},
+                         {0.05 * std::cos (a), 0.05 * std::sin (a), 0}));
+  }
+  return s;
+}
+
+TEST (BodyMerging, NothingMergesWhenAllDiffer)
+{
+  test::TiledScene scene (loosePlates(), 40);
+  DataTerm data = scene.data();
+  const MotionState before = scene.truth();
+  data.sweep (before, Pass::Linearize);
+  const MotionState after = mergeBodies (data, scene.links(), rules (scene), before);
+  EXPECT_EQ (after.poses.size(), 12u);
+  EXPECT_EQ (after.body_of, before.body_of);
+  for (int k = 0; k < 12; ++k)
+    EXPECT_EQ (after.poseOf (k).parameters, before.poseOf (k).parameters);
+}
+
+TEST (BodyMerging, OnlyLinkedSegmentsMerge)
+{
+  test::TiledScene scene (test::foldedWall());
+  DataTerm data = scene.data();
+  const MotionState before = scene.truth();
+  data.sweep (before, Pass::Linearize);
+  const std::vector<SegmentLink> one (1, scene.links()[0]);
+  const MotionState after = mergeBodies (data, one, rules (scene), before);
+  EXPECT_EQ (after.poses.size(), before.poses.size() - 1);
+  EXPECT_EQ (after.body_of[one[0].first], after.body_of[one[0].second]);
+}
+
+TEST (BodyMerging, MergedBodiesStayMerged)
+{
+  test::TiledScene scene (test::foldedWall());
+  DataTerm data = scene.data();
+  const MotionState before = scene.solved();
+  data.sweep (before, Pass::Linearize);
+  const MotionState after = mergeBodies (data, scene.links(), rules (scene), before);
+  EXPECT_EQ (after.poses.size(), 2u);
+  EXPECT_TRUE (test::samePartition (after.body_of, before.body_of));
+}
+
+} // namespace

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "core/data_term.h"
+#include "support/analytic_scene.h"
+#include "support/points.h"
+
+#include <cmath>
+#include <random>
+
+namespace {
+
+using namespace pcl_msf;
+using Pass = DataTerm::Pass;
+
+constexpr int kSize = 32;
+const PinholeCamera kCamera{40.0, 40.0, 15.5, 15.5};
+
+/** A bumpy, textured patch that fills the image, as reference and current. */
+FrameLevel
+bumps (double phase)
+{
+  FrameLevel level;
+  level.camera = kCamera;
+  level.intensity = test::image (kSize, kSize, [&] (int x, int y) {
+    return test::texture (0.03 * x, 0.03 * y, phase);
+  });
+  level.inverse_depth = test::image (kSize, kSize, [&] (int x, int y) {
+    return 0.5 + 0.01 * std::sin (0.3 * x + phase) + 0.008 * std::cos (0.25 * y);
+  });
+  level.normals = cv::Mat (kSize, kSize, CV_32FC3);
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x)
+      level.normals.at<cv::Vec3f> (y, x) = cv::normalize (
+          cv::Vec3f (0.3f * std::sin (0.4f * x), 0.3f * std::cos (0.3f * y), -1.0f));
+  return level;
+}
+
+class Gradient : public testing::TestWithParam<double> {};
+
+TEST_P (Gradient, MatchesCentralDifferencesOfTheKeptCost)
+{
+  std::mt19937 generator (11);
+  std::uniform_real_distribution<double> uniform (-1.0, 1.0);
+  cv::Mat labels (kSize, kSize, CV_32SC1, cv::Scalar (-1));
+  labels (cv::Rect (13, 12, 6, 7)) = 0;
+  const SegmentPixels pixels =
+      test::pointsOf (bumps (0.3), labels, 1, NoiseModel{}, 0.4);
+  const Texture texture (bumps (0.9));
+  DataTerm data (pixels, texture, makeRules ({}, pixels), 1);
+  data.setDoublePrecision (true);
+  for (int trial = 0; trial < 10; ++trial) {
+    const Eigen::Vector3d axis =
+        Eigen::Vector3d (uniform (generator), uniform (generator), uniform (generator))
+            .normalized();
+    const Eigen::Vector3d shift (
+        0.2 * uniform (generator), 0.2 * uniform (generator), 0.02);
+    MotionState state = MotionState::fromSegments (
+        {test::turnAbout (pixels.centroid[0], GetParam() * axis, shift)}, 0);
+    data.sweep (state, Pass::Linearize);
+    int seen = 0;
+    for (const int active : data.active())
+      seen += (active & kernel::kIcp) ? 1 : 0;
+    ASSERT_GT (seen, 20);
+    data.sweep (state, Pass::LinearizeKept);
+    const SegmentQuadratic q = data.of (0);
+    for (int i = 0; i < 6; ++i) {
+      constexpr double kStep = 1e-6;
+      double& x = state.poses[0].parameters[i];
+      const double middle = x;
+      double cost[2];
+      for (const int side : {0, 1}) {
+        x = middle + (side ? kStep : -kStep);
+        data.sweep (state, Pass::LinearizeKept);
+        cost[side] = data.of (0).cost();
+      }
+      x = middle;
+      const double numeric = (cost[1] - cost[0]) / (2.0 * kStep);
+      const double scale = std::sqrt (2.0 * q.cost() * q.information (i, i));
+      EXPECT_NEAR (q.gradient[i], numeric, 1e-5 * scale) << i;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P (Angles, Gradient, testing::Values (0.0, 0.01, 0.8, 2.5, 3.1));
+
+/** The room cut into tiles, linearized beside the truth. */
+std::vector<SegmentQuadratic>
+roomQuadratics (int threads, Pass last, std::vector<double>* probes)
+{
+  const test::AnalyticScene scene = test::roomWithBox();
+  const FrameLevel reference = scene.frame (scene.render (false)).levels()[0];
+  const Texture texture (scene.frame (scene.render (true)).levels()[0]);
+  cv::Mat labels (scene.height, scene.width, CV_32SC1);
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x)
+      labels.at<int> (y, x) = y / 20 * 8 + x / 20;
+  const SegmentPixels pixels = test::pointsOf (reference, labels, 48, {}, 0.01);
+  DataTerm data (pixels, texture, makeRules ({}, pixels), threads);
+  const MotionState state =
+      MotionState::fromSegments (std::vector<RigidPose> (48, scene.motions[0]), 0);
+  data.sweep (state, Pass::Linearize);
+  data.sweep (state, last);
+  std::vector<SegmentQuadratic> result;
+  for (int k = 0; k < 48; ++k) {
+    result.push_back (data.of (k));
+    probes->push_back (data.probe (k, scene.motions[1]).cost);
+  }
+  return result;
+}
+
+TEST (DataTerm, SameBitsForAnyNumberOfThreads)
+{
+  for (const Pass pass : {Pass::Linearize, Pass::LinearizeKept, Pass::Cost}) {
+    std::vector<double> one_probes;
+    const auto one = roomQuadratics (1, pass, &one_probes);
+    EXPECT_GT (one[20].cost(), 0.0);
+    for (const int threads : {1, 2, 5}) {
+      std::vector<double> probes;
+      const auto many = roomQuadratics (threads, pass, &probes);
+      EXPECT_EQ (probes, one_probes);
+      for (std::size_t k = 0; k < one.size(); ++k) {
+        EXPECT_EQ (many[k].information, one[k].information);
+        EXPECT_EQ (many[k].gradient, one[k].gradient);
+        EXPECT_EQ (many[k].brightness_cost, one[k].brightness_cost);
+        EXPECT_EQ (many[k].icp_cost, one[k].icp_cost);
+      }
+    }
+  }
+}
+
+} // namespace

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "core/depth_pyramid.h"
+#include "core/noise.h"
+#include "support/points.h"
+#include <gmock/gmock.h>
+#include <pcl_msf/errors.h>
+#include <pcl_msf/rgbd_frame.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace {
+
+using namespace pcl_msf;
+using testing::HasSubstr;
+
+constexpr int kWidth = 96;
+constexpr int kHeight = 80;
+const PinholeCamera kCamera{100.0, 98.0, 47.0, 40.5};
+const Eigen::Vector3d kNormal = Eigen::Vector3d (0.35, -0.5, -1.0).normalized();
+
+/** Depth of the plane kNormal . p = -1.8. */
+cv::Mat
+slantedPlane ()
+{
+  return test::image (kWidth, kHeight, [] (int x, int y) {
+    return -1.8 / kNormal.dot (kCamera.backProject (x, y, 1.0));
+  });
+}
+
+cv::Mat
+constant (double value)
+{
+  return cv::Mat (kHeight, kWidth, CV_32FC1, cv::Scalar (value));
+}
+
+/** A near half on the left, a far one on the right. */
+cv::Mat
+step (double near, double far, int edge)
+{
+  return test::image (
+      kWidth, kHeight, [&] (int x, int) { return x < edge ? near : far; });
+}
+
+TEST (InverseDepth, WhatIsNoMeasurementBecomesZero)
+{
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float inf = std::numeric_limits<float>::infinity();
+  const cv::Mat depth =
+      (cv::Mat_<float> (1, 9) << nan, inf, -inf, 0, -1, 0.4, 0.5, 4, 5);
+  const cv::Mat w = inverseDepth (depth, 0.5, 4.0);
+  for (const int i : {0, 1, 2, 3, 4, 5, 8})
+    EXPECT_EQ (w.at<float> (0, i), 0.0f) << i;
+  EXPECT_FLOAT_EQ (w.at<float> (0, 6), 2.0f);
+  EXPECT_FLOAT_EQ (w.at<float> (0, 7), 0.25f);
+}
+
+TEST (DepthPyramid, DoesNotMixTwoSurfaces)
+{
+  for (const int edge : {40, 41}) {
+    const RgbdFrame frame =
+        RgbdFrame::fromImages ({}, step (1.0, 3.0, edge), kCamera, {});
+    ASSERT_GE (frame.levels().size(), 2u);
+    for (const FrameLevel& level : frame.levels())
+      for (int y = 0; y < level.height(); ++y)
+        for (int x = 0; x < level.width(); ++x) {
+          const float z = 1.0f / level.inverse_depth.at<float> (y, x);
+          EXPECT_TRUE (std::abs (z - 1.0f) < 1e-5f || std::abs (z - 3.0f) < 1e-5f) << z;
+        }
+  }
+}
+
+TEST (DepthPyramid, HolesDoNotGrow)
+{
+  for (const int hole : {20, 21}) {
+    cv::Mat depth = slantedPlane();
+    depth.at<float> (hole, hole) = 0.0f;
+    const RgbdFrame frame = RgbdFrame::fromImages ({}, depth, kCamera, {});
+    EXPECT_EQ (cv::countNonZero (frame.levels()[0].inverse_depth == 0.0f), 1);
+    EXPECT_EQ (cv::countNonZero (frame.levels()[1].inverse_depth == 0.0f), 0);
+  }
+  cv::Mat large = constant (2.0);
+  large (cv::Rect (20, 20, 9, 9)) = 0.0f;
+  const cv::Mat coarse =
+      RgbdFrame::fromImages ({}, large, kCamera, {}).levels()[1].inverse_depth;
+  EXPECT_EQ (cv::countNonZero (coarse == 0.0f), 9); // 3 x 3 have no neighbour at all
+}
+
+TEST (DepthPyramid, LevelsSeeTheSamePlane)
+{
+  const RgbdFrame frame = RgbdFrame::fromImages ({}, slantedPlane(), kCamera, {});
+  for (std::size_t l = 0; l < frame.levels().size(); ++l) {
+    const FrameLevel& level = frame.levels()[l];
+    EXPECT_EQ (level.width(), (kWidth + (1 << l) - 1) >> l);
+    EXPECT_DOUBLE_EQ (level.camera.fx, kCamera.fx / (1 << l));
+    EXPECT_DOUBLE_EQ (level.camera.cy, kCamera.cy / (1 << l));
+    // Inside; at the border the average leans inwards.
+    for (int y = 1; y + 1 < level.height(); ++y)
+      for (int x = 1; x + 1 < level.width(); ++x) {
+        const double z = 1.0 / level.inverse_depth.at<float> (y, x);
+        const Eigen::Vector3d p = level.camera.backProject (x, y, z);
+        EXPECT_NEAR (kNormal.dot (p), -1.8, 1e-4);
+      }
+  }
+}
+
+TEST (Noise, IsMeasuredWithinAFifth)
+{
+  std::mt19937 generator (5);
+  for (const double sigma : {0.004, 0.02}) {
+    std::normal_distribution<double> normal (0.0, sigma);
+    const cv::Mat intensity = test::image (160, 120, [&] (int x, int y) {
+      return 0.5 + 0.2 * std::sin (0.1 * x) * std::cos (0.08 * y) + normal (generator);
+    });
+    EXPECT_NEAR (estimateIntensityNoise (intensity), sigma, 0.2 * sigma);
+    const cv::Mat w = test::image (160, 120, [&] (int x, int y) {
+      const double surface = x < 80 ? 0.5 + 1e-3 * x - 5e-4 * y : 0.3;
+      return y % 17 == 3 ? 0.0 : surface + 0.1 * normal (generator);
+    });
+    EXPECT_NEAR (estimateInverseDepthNoise (w), 0.1 * sigma, 0.02 * sigma);
+  }
+}
+
+TEST (Noise, CleanImagesHaveNone)
+{
+  EXPECT_LT (estimateInverseDepthNoise (inverseDepth (slantedPlane(), 0, 1000)), 1e-6);
+  EXPECT_EQ (estimateIntensityNoise (constant (0.4)), 0.0);
+}
+
+TEST (RgbdFrame, TakesEveryKindOfColour)
+{
+  const cv::Mat depth = constant (2.0);
+  const cv::Mat gray8 (kHeight, kWidth, CV_8UC1, cv::Scalar (51));
+  const cv::Mat bgr (kHeight, kWidth, CV_8UC3, cv::Scalar (51, 51, 51));
+  for (const cv::Mat& color : {gray8, bgr, constant (0.2)}) {
+    const RgbdFrame frame = RgbdFrame::fromImages (color, depth, kCamera);
+    ASSERT_TRUE (frame.hasIntensity());
+    EXPECT_NEAR (frame.levels()[0].intensity.at<float> (7, 9), 0.2f, 1e-6f);
+    EXPECT_EQ (frame.gray().at<unsigned char> (7, 9), 51);
+    EXPECT_EQ (frame.color().empty(), color.type() != CV_8UC3);
+  }
+  EXPECT_FALSE (RgbdFrame::fromImages ({}, depth, kCamera).hasIntensity());
+}
+
+struct BadInput {
+  const char* name;
+  cv::Mat color, depth;
+  PinholeCamera camera;
+  cv::Mat normals;
+  const char* remedy; ///< words that the message must hold
+};
+
+std::vector<BadInput>
+badInputs ()
+{
+  const cv::Mat ok = constant (2.0);
+  return {
+      {"empty", {}, {}, kCamera, {}, "CV_32FC1 image in metres"},
+      {"depth type", {}, cv::Mat (kHeight, kWidth, CV_16UC1), kCamera, {}, "metres"},
+      {"sizes", cv::Mat (9, 9, CV_8UC1), ok, kCamera, {}, "register them"},
+      {"colour", cv::Mat (kHeight, kWidth, CV_8UC4), ok, kCamera, {}, "CV_8UC3"},
+      {"camera", {}, ok, PinholeCamera{}, {}, "give focal lengths"},
+      {"normals", {}, ok, kCamera, cv::Mat (9, 9, CV_32FC3), "CV_32FC3"},
+      {"no depth", {}, constant (0.0), kCamera, {}, "check its unit (metres)"},
+      {"NaN depth", {}, constant (NAN), kCamera, {}, "check its unit (metres)"},
+      {"millimetres", {}, constant (2000.0), kCamera, {}, "unit (metres)"}};
+}
+
+TEST (RgbdFrame, RefusesBadInputAndNamesTheRemedy)
+{
+  for (const BadInput& bad : badInputs()) {
+    try {
+      RgbdFrame::fromImages (bad.color, bad.depth, bad.camera, {}, bad.normals);
+      ADD_FAILURE() << bad.name << " was accepted";
+    }
+    catch (const InvalidInput& error) {
+      EXPECT_THAT (error.what(), HasSubstr (bad.remedy)) << bad.name;
+    }
+  }
+}
+
+TEST (RgbdFrame, RefusesBadParametersAndNamesTheirRange)
+{
+  std::vector<std::pair<FrameParameters, const char*>> bad (6);
+  bad[0] = {{}, "smoothing_sigma must be in"};
+  bad[0].first.smoothing_sigma = std::nan ("");
+  bad[1] = {{}, "smoothing_sigma must be in"};
+  bad[1].first.smoothing_sigma = -1;
+  bad[2] = {{}, "min_depth must be"};
+  bad[2].first.min_depth = -0.1;
+  bad[3] = {{}, "max_depth must be greater"};
+  bad[3].first.min_depth = bad[3].first.max_depth = 2.0;
+  bad[4] = {{}, "max_levels must be in"};
+  bad[4].first.max_levels = 0;
+  bad[5] = {{}, "max_levels must be in"};
+  bad[5].first.max_levels = 11;
+  for (const auto& [parameters, remedy] : bad) {
+    try {
+      RgbdFrame::fromImages ({}, constant (2.0), kCamera, parameters);
+      ADD_FAILURE() << remedy;
+    }
+    catch (const InvalidInput& error) {
+      EXPECT_THAT (error.what(), HasSubstr (remedy));
+    }
+  }
+}
+
+} // namespace

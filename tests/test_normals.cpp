@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "support/points.h"
+#include <pcl_msf/rgbd_frame.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace pcl_msf;
+
+constexpr int kWidth = 96;
+constexpr int kHeight = 80;
+const PinholeCamera kCamera{100.0, 98.0, 47.0, 40.5};
+const Eigen::Vector3d kNormal = Eigen::Vector3d (0.35, -0.5, -1.0).normalized();
+
+/** Depth of the plane kNormal . p = -1.8. */
+cv::Mat
+slantedPlane ()
+{
+  return test::image (kWidth, kHeight, [] (int x, int y) {
+    return -1.8 / kNormal.dot (kCamera.backProject (x, y, 1.0));
+  });
+}
+
+cv::Mat
+constant (double value)
+{
+  return cv::Mat (kHeight, kWidth, CV_32FC1, cv::Scalar (value));
+}
+
+/** A near half on the left, a far one on the right. */
+cv::Mat
+step (double near, double far, int edge)
+{
+  return test::image (
+      kWidth, kHeight, [&] (int x, int) { return x < edge ? near : far; });
+}
+
+class Normals : public testing::TestWithParam<NormalMethod> {
+protected:
+  static RgbdFrame
+  frame (const cv::Mat& depth)
+  {
+    FrameParameters parameters;
+    parameters.normals = GetParam();
+    return RgbdFrame::fromImages ({}, depth, kCamera, parameters);
+  }
+};
+
+TEST_P (Normals, OfASlantedPlaneAreExact)
+{
+  const cv::Mat normals = frame (slantedPlane()).levels()[0].normals;
+  const int border = GetParam() == NormalMethod::CentralDifferences ? 0 : 12;
+  for (int y = border; y < kHeight - border; ++y)
+    for (int x = border; x < kWidth - border; ++x) {
+      const cv::Vec3f n = normals.at<cv::Vec3f> (y, x);
+      const Eigen::Vector3d found (n[0], n[1], n[2]);
+      EXPECT_NEAR (found.norm(), 1.0, 1e-5);
+      EXPECT_LT (found.cross (kNormal).norm(), 1e-3) << x << " " << y;
+      EXPECT_GT (found.dot (kNormal), 0.0);
+    }
+}
+
+TEST_P (Normals, PointTowardsTheCamera)
+{
+  const cv::Mat depth = test::image (kWidth, kHeight, [] (int x, int y) {
+    return 2.0 + 0.2 * std::sin (0.15 * x) * std::cos (0.12 * y);
+  });
+  const cv::Mat normals = frame (depth).levels()[0].normals;
+  int known = 0;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const cv::Vec3f n = normals.at<cv::Vec3f> (y, x);
+      const Eigen::Vector3d ray = kCamera.backProject (x, y, 1.0);
+      EXPECT_LE (Eigen::Vector3d (n[0], n[1], n[2]).dot (ray), 0.0);
+      known += n[2] < 0.0f ? 1 : 0;
+    }
+  EXPECT_GT (known, kWidth * kHeight / 2);
+}
+
+TEST_P (Normals, DoNotReachAcrossADepthEdge)
+{
+  const cv::Mat normals = frame (step (1.0, 3.0, 48)).levels()[0].normals;
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x) {
+      const cv::Vec3f n = normals.at<cv::Vec3f> (y, x);
+      const bool none = n == cv::Vec3f (0, 0, 0);
+      EXPECT_TRUE (none || n[2] < -0.999f) << x << " " << y << " " << n;
+    }
+}
+
+TEST_P (Normals, HolesHaveNone)
+{
+  cv::Mat depth = slantedPlane();
+  depth (cv::Rect (30, 30, 5, 5)) = 0.0f;
+  const cv::Mat normals = frame (depth).levels()[0].normals;
+  EXPECT_EQ (normals.at<cv::Vec3f> (32, 32), cv::Vec3f (0, 0, 0));
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      EXPECT_FALSE (std::isnan (normals.at<cv::Vec3f> (y, x)[0]));
+}
+
+INSTANTIATE_TEST_SUITE_P (Methods,
+                          Normals,
+                          testing::Values (NormalMethod::CentralDifferences,
+                                           NormalMethod::IntegralImage));
+
+TEST (Normals, OwnOnesAreMadeUnitOrNone)
+{
+  cv::Mat own (kHeight, kWidth, CV_32FC3, cv::Scalar (0, 0, -2));
+  own.at<cv::Vec3f> (3, 4) = {NAN, 0, -1};
+  const RgbdFrame frame = RgbdFrame::fromImages ({}, constant (2.0), kCamera, {}, own);
+  EXPECT_EQ (frame.levels()[0].normals.at<cv::Vec3f> (0, 0), cv::Vec3f (0, 0, -1));
+  EXPECT_EQ (frame.levels()[0].normals.at<cv::Vec3f> (3, 4), cv::Vec3f (0, 0, 0));
+}
+
+} // namespace

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "core/joint_problem.h"
+#include "support/analytic_scene.h"
+#include "support/autodiff_energy.h"
+#include "support/points.h"
+#include <ceres/crs_matrix.h>
+#include <ceres/solver.h>
+
+#include <string>
+
+// The compressed blocks against one automatically differentiated residual per pixel:
+// the same cost, gradient and Gauss-Newton matrix, and the same optimum from the same
+// start.
+
+namespace {
+
+using namespace pcl_msf;
+
+struct Setup {
+  const char* name;
+  LossType loss;
+  double threshold;
+  PoseDifference form;
+  bool joined; ///< segments 1 and 2 are one body
+};
+
+void
+PrintTo (const Setup& setup, std::ostream* out)
+{
+  *out << setup.name;
+}
+
+/** Two slanted planes that move apart, and a bar that moves in front of them. */
+test::AnalyticScene
+twoPlanes ()
+{
+  test::AnalyticScene s;
+  s.camera = {45.0, 44.0, 23.0, 19.5};
+  s.width = 48;
+  s.height = 40;
+  s.quads.push_back ({{-2.0, -2.0, 1.7}, {1.95, 0, 0.5}, {0, 4, 0.6}, 0, 0.4});
+  s.quads.push_back ({{0.0, -2.0, 2.1}, {3, 0, -0.7}, {0, 4, -0.3}, 1, 2.9});
+  s.quads.push_back ({{0.3, 0.2, 1.5}, {0.25, 0, 0}, {0, 0.2, 0}, 2, 1.0});
+  s.motions.push_back (
+      test::turnAbout ({-0.7, 0, 2.2}, {0.01, 0.012, -0.02}, {-0.05, 0.01, -0.01}));
+  s.motions.push_back (
+      test::turnAbout ({0.8, 0, 1.9}, {-0.01, 0.02, 0.01}, {0.01, 0.04, 0.012}));
+  s.motions.push_back (test::turnAbout ({0, 0, 0}, {0, 0, 0}, {-0.12, 0.0, 0.0}));
+  return s;
+}
+
+class Oracle : public testing::TestWithParam<Setup> {
+protected:
+  Oracle();
+
+  ceres::Problem::EvaluateOptions
+  order (MotionState& state) const;
+  bool
+  l1 () const
+  {
+    return energy_.loss == LossType::L1 || energy_.huber_threshold == 0.0;
+  }
+
+  test::AnalyticScene scene_{twoPlanes()};
+  EnergyParameters energy_;
+  std::vector<SegmentLink> links_;
+  SegmentPixels pixels_;
+  std::unique_ptr<Texture> texture_;
+  std::unique_ptr<DataTerm> data_;
+  std::unique_ptr<JointEnergy> joint_;
+  MotionState state_;
+};
+
+Oracle::Oracle()
+{
+  energy_.loss = GetParam().loss;
+  energy_.huber_threshold = GetParam().threshold;
+  energy_.pose_difference = GetParam().form;
+  // Plain pose parameters are radians and metres: hundredths where pixels are ones.
+  energy_.regularizer_weight = GetParam().form == PoseDifference::Metric ? 0.05 : 500.0;
+  energy_.prior_weight = 0.1;
+  const test::View reference = scene_.render (false);
+  test::View current = scene_.render (true);
+  current.depth (cv::Rect (10, 25, 6, 4)) = std::nanf ("");
+  current.depth (cv::Rect (6, 8, 5, 4)) += 1.0f;
+  cv::Mat labels = reference.body.clone();
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x) {
+      int& label = labels.at<int> (y, x);
+      if (label == 2)
+        label = -1;
+      else if (label == 1 && y >= labels.rows / 2)
+        label = 2;
+    }
+  FrameParameters plain;
+  plain.smoothing_sigma = 0.0;
+  const FrameLevel level = scene_.frame (reference, plain).levels()[0];
+  pixels_ = test::pointsOf (level, labels, 3, NoiseModel{}, 0.01);
+  texture_ = std::make_unique<Texture> (scene_.frame (current, plain).levels()[0]);
+  data_ =
+      std::make_unique<DataTerm> (pixels_, *texture_, makeRules (energy_, pixels_), 1);
+  for (const auto& [j, h] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}}) {
+    const Eigen::Vector3d& a = pixels_.centroid[j];
+    const Eigen::Vector3d& b = pixels_.centroid[h];
+    links_.push_back ({j, h, 0.5 * (a + b), 0.5 * (a - b).norm()});
+  }
+  joint_ = std::make_unique<JointEnergy> (*data_, links_, energy_, scene_.camera.fx);
+  // Poses about a pixel off the truth, weights of every kind.
+  const auto off = [&] (int body, double a, double b) {
+    return test::turnAbout (pixels_.centroid[body],
+                            {0.006 * a, -0.01 * b, 0.01 * a},
+                            {0.03 * b, -0.02 * a, 0.006 * b}) *
+           scene_.motions[body];
+  };
+  state_ = MotionState::fromSegments (
+      {off (0, 1, 0.7), off (1, -0.5, 1), off (1, 1, -1)}, links_.size());
+  state_.weights = {0.9, 0.7, 1.05};
+  if (GetParam().joined) {
+    state_.body_of = {0, 1, 1};
+    state_.poses.pop_back();
+  }
+  data_->sweep (state_, DataTerm::Pass::Linearize); // finds the correspondences
+  data_->setDoublePrecision (true);
+}
+
+ceres::Problem::EvaluateOptions
+Oracle::order (MotionState& state) const
+{
+  ceres::Problem::EvaluateOptions options;
+  for (RigidPose& pose : state.poses)
+    options.parameter_blocks.push_back (pose.parameters.data());
+  for (std::size_t i = 0; i < links_.size(); ++i)
+    if (state.body_of[links_[i].first] != state.body_of[links_[i].second])
+      options.parameter_blocks.push_back (&state.weights[i]);
+  return options;
+}
+
+/** Every evaluation in double precision, those of a bare cost, too. */
+class DoubleProblem : public JointProblem {
+public:
+  using JointProblem::JointProblem;
+  void
+  PrepareForEvaluation (bool, bool new_point) override
+  {
+    JointProblem::PrepareForEvaluation (true, new_point);
+  }
+};
+
+struct Evaluation {
+  double cost{0.0};
+  Eigen::VectorXd gradient;
+  Eigen::MatrixXd gauss_newton;
+};
+
+Evaluation
+evaluate (ceres::Problem& problem, const ceres::Problem::EvaluateOptions& options)
+{
+  Evaluation result;
+  std::vector<double> gradient;
+  ceres::CRSMatrix crs;
+  EXPECT_TRUE (problem.Evaluate (options, &result.cost, nullptr, &gradient, &crs));
+  result.gradient = Eigen::Map<Eigen::VectorXd> (gradient.data(), gradient.size());
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero (crs.num_rows, crs.num_cols);
+  for (int r = 0; r < crs.num_rows; ++r)
+    for (int i = crs.rows[r]; i < crs.rows[r + 1]; ++i)
+      jacobian (r, crs.cols[i]) = crs.values[i];
+  result.gauss_newton = jacobian.transpose() * jacobian;
+  return result;
+}
+
+TEST_P (Oracle, EveryKindOfPointTakesPart)
+{
+  int count[6] = {};
+  for (const int active : data_->active()) {
+    for (int bit = 0; bit < 5; ++bit)
+      count[bit] += (active >> bit) & 1;
+    count[5] += active == kernel::kBrightness;
+  }
+  EXPECT_GT (count[0], 1000); // brightness
+  EXPECT_GT (count[1], 1000); // ICP
+  EXPECT_GT (count[2], 5);    // occluded
+  EXPECT_GT (count[3], 5);    // out of view
+  EXPECT_GT (count[4], 5);    // hole
+  EXPECT_GT (count[5], 5);    // far before the surface that is seen
+}
+
+TEST_P (Oracle, CostGradientAndGaussNewtonMatrixAgree)
+{
+  JointProblem compressed (*joint_, state_);
+  compressed.keepCorrespondences (true);
+  const auto plain =
+      test::autodiffEnergy (*data_, links_, energy_, scene_.camera.fx, state_);
+  const auto options = order (state_);
+  const std::vector<RigidPose> start = state_.poses;
+  for (const double step : {0.0, 0.004}) { // at the correspondences' poses and beside
+    for (std::size_t b = 0; b < start.size(); ++b)
+      for (int i = 0; i < 6; ++i)
+        state_.poses[b].parameters[i] = start[b].parameters[i] + step * (i % 3 - 1.2);
+    const Evaluation a = evaluate (compressed.problem(), options);
+    const Evaluation b = evaluate (*plain, options);
+    ASSERT_EQ (a.gradient.size(), b.gradient.size());
+    EXPECT_NEAR (a.cost / b.cost, 1.0, 1e-10);
+    EXPECT_LT ((a.gradient - b.gradient).norm(), 1e-8 * b.gradient.norm());
+    EXPECT_LT ((a.gauss_newton - b.gauss_newton).norm(), 1e-8 * b.gauss_newton.norm());
+    // Weights are small numbers beside poses: once more in the scale of each unknown.
+    const Eigen::VectorXd scale = b.gauss_newton.diagonal().cwiseSqrt().cwiseInverse();
+    const Eigen::MatrixXd difference =
+        scale.asDiagonal() * (a.gauss_newton - b.gauss_newton) * scale.asDiagonal();
+    EXPECT_LT (difference.cwiseAbs().maxCoeff(), 1e-8);
+  }
+}
+
+TEST_P (Oracle, SameOptimumFromTheSameStart)
+{
+  MotionState other = state_;
+  DoubleProblem compressed (*joint_, state_);
+  compressed.keepCorrespondences (true);
+  const auto plain =
+      test::autodiffEnergy (*data_, links_, energy_, scene_.camera.fx, other);
+  ceres::Solver::Options options;
+  options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
+  options.max_num_iterations = 100;
+  options.function_tolerance = 1e-13;
+  options.parameter_tolerance = 1e-12;
+  options.gradient_tolerance = 1e-14;
+  options.logging_type = ceres::SILENT;
+  ceres::Solver::Summary a;
+  ceres::Solver::Summary b;
+  ceres::Solve (options, &compressed.problem(), &a);
+  ceres::Solve (options, plain.get(), &b);
+  // L1 has a kink at every residual: rounding decides which one a descent ends at.
+  const double loose = l1() ? 100.0 : 1.0;
+  EXPECT_NEAR (a.final_cost / b.final_cost, 1.0, 1e-8 * loose);
+  EXPECT_LT (a.final_cost, 0.6 * a.initial_cost);
+  for (std::size_t k = 0; k < state_.poses.size(); ++k)
+    for (int i = 0; i < 6; ++i)
+      EXPECT_NEAR (
+          state_.poses[k].parameters[i], other.poses[k].parameters[i], 1e-6 * loose);
+  for (std::size_t i = 0; i < links_.size(); ++i)
+    EXPECT_NEAR (state_.weights[i], other.weights[i], 1e-6 * loose);
+}
+
+TEST_P (Oracle, FloatPathFollowsTheDoubleOne)
+{
+  const auto sum = [&] (bool in_double, int segment) {
+    data_->setDoublePrecision (in_double);
+    data_->sweep (state_, DataTerm::Pass::LinearizeKept);
+    return data_->of (segment);
+  };
+  // L1's weights are 1 / |r|: a residual near zero magnifies its rounding.
+  const double tolerance = l1() ? 1e-2 : 1e-4;
+  for (int k = 0; k < pixels_.segments(); ++k) {
+    const SegmentQuadratic exact = sum (true, k);
+    const SegmentQuadratic fast = sum (false, k);
+    EXPECT_NEAR (fast.brightness_cost / exact.brightness_cost, 1.0, 1e-4);
+    EXPECT_NEAR (fast.icp_cost / exact.icp_cost, 1.0, 1e-4);
+    const Vector6 scale = exact.information.diagonal().cwiseSqrt().cwiseInverse();
+    const Vector6 gradient = scale.cwiseProduct (fast.gradient - exact.gradient);
+    EXPECT_LT (gradient.norm(), 1e-4 * std::sqrt (2.0 * exact.cost()));
+    const Matrix6 information = scale.asDiagonal() *
+                                (fast.information - exact.information) *
+                                scale.asDiagonal();
+    EXPECT_LT (information.cwiseAbs().maxCoeff(), tolerance);
+    data_->sweep (state_, DataTerm::Pass::Cost);
+    EXPECT_NEAR (data_->of (k).cost() / exact.cost(), 1.0, 1e-4);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P (
+    Energies,
+    Oracle,
+    testing::Values (
+        Setup{"Huber", LossType::Huber, 1.0, PoseDifference::Metric, false},
+        Setup{"ZeroThreshold", LossType::Huber, 0.0, PoseDifference::Metric, false},
+        Setup{"L1", LossType::L1, 1.0, PoseDifference::Metric, false},
+        Setup{"L2", LossType::L2, 1.0, PoseDifference::Metric, false},
+        Setup{"Parameters", LossType::Huber, 0.7, PoseDifference::Parameters, false},
+        Setup{"JoinedBody", LossType::Huber, 1.0, PoseDifference::Metric, true}),
+    [] (const testing::TestParamInfo<Setup>& info) {
+      return std::string (info.param.name);
+    });
+
+} // namespace
