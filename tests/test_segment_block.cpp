@@ -106,7 +106,7 @@ TEST (SegmentBlockEdges, BareCostMatchesLinearizedCost)
   EXPECT_NEAR (seenByCeres (bare).cost, seenByCeres (linearized).cost, 1e-12);
 }
 
-TEST (SegmentBlockEdges, NaNDoesNotComeOut)
+TEST (SegmentBlockEdges, NaNIsRefusedAndDoesNotComeOut)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   std::mt19937 generator (5);
@@ -116,10 +116,15 @@ TEST (SegmentBlockEdges, NaNDoesNotComeOut)
     (place == 0 ? bad.a (2, 2) : place == 1 ? bad.b[4] : bad.cost) = nan;
     CompressedBlock block;
     block.set (bad.a, bad.b, bad.cost);
-    const Sums seen = seenByCeres (block);
-    EXPECT_TRUE (seen.a.allFinite()) << place;
-    EXPECT_TRUE (seen.b.allFinite()) << place;
-    EXPECT_TRUE (std::isfinite (seen.cost)) << place;
+    const SegmentBlockCost cost (block);
+    const double pose[6] = {};
+    const double* parameters[] = {pose};
+    double residuals[7];
+    EXPECT_FALSE (cost.Evaluate (parameters, residuals, nullptr)) << place;
+    for (const double r : residuals)
+      EXPECT_TRUE (std::isfinite (r)) << place;
+    block.set (good.a, good.b, good.cost);
+    EXPECT_TRUE (cost.Evaluate (parameters, residuals, nullptr)) << place;
   }
 }
 

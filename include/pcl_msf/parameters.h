@@ -85,7 +85,7 @@ struct Progress {
 };
 
 struct SolverParameters {
-  int max_iterations{8};            ///< Levenberg-Marquardt steps per level, >= 0
+  int max_iterations{6};            ///< Levenberg-Marquardt steps per level, >= 0
   double function_tolerance{1e-3};  ///< stop when |dE| < tolerance E, >= 0
   double parameter_tolerance{1e-7}; ///< stop when |dx| < tolerance |x|, >= 0
   double max_seconds{0.0};          ///< time budget of a registration, 0 = none

@@ -7,12 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl_msf {
 
 namespace {
 
 constexpr float kSameSurface = 0.03f; // relative difference of inverse depth per pixel
+constexpr float kSteepest = 0.3f;     // relative difference over the window's radius
 constexpr double kNormalError = 0.08; // radians aimed at
 constexpr int kMaxRadius = 4;         // even, as the step in wide windows is two
 
@@ -37,43 +39,59 @@ struct Slope {
   bool known{false};
 };
 
-/** Slopes of the inverse depth in the window, from the pixels of the same surface taken
- * in pairs opposite each other, else against the centre. */
+/** Sums of a least-squares plane through a pixel's inverse depth. */
+struct SlopeSums {
+  float xx{0.0f}, xy{0.0f}, yy{0.0f}, xw{0.0f}, yw{0.0f};
+
+  void
+  add (float dx, float dy, float difference)
+  {
+    xx += dx * dx;
+    xy += dx * dy;
+    yy += dy * dy;
+    xw += dx * difference;
+    yw += dy * difference;
+  }
+
+  Slope
+  solve () const
+  {
+    const float det = xx * yy - xy * xy;
+    if (det < 0.5f)
+      return {};
+    return {(yy * xw - xy * yw) / det, (xx * yw - xy * xw) / det, true};
+  }
+};
+
+/** Slopes of the inverse depth in a window, from the pixels of the same surface: those
+ * that differ little from the centre, and those that differ much but oppositely to the
+ * pixel across the centre, as on a floor seen at a grazing angle. */
 Slope
 slopeAt (const cv::Mat& w, int x, int y, int radius, float tolerance)
 {
   const int step = radius > 2 ? 2 : 1; // every second pixel of a wide window will do
   const float center = w.at<float> (y, x);
-  float xx = 0.0f;
-  float xy = 0.0f;
-  float yy = 0.0f;
-  float xw = 0.0f;
-  float yw = 0.0f;
-  for (int dy = -radius; dy <= radius; dy += step) {
-    const int v = y + dy;
-    if (v < 0 || v >= w.rows)
-      continue;
-    const float* row = w.ptr<float> (v);
-    for (int dx = -radius; dx <= radius; dx += step) {
-      const int u = x + dx;
-      if (u < 0 || u >= w.cols || row[u] <= 0.0f)
-        continue;
-      const float d = row[u] - center;
-      if (std::abs (d) > tolerance)
-        continue;
+  const float steepest = kSteepest * center;
+  const auto difference = [&] (int u, int v) {
+    const bool inside = u >= 0 && u < w.cols && v >= 0 && v < w.rows;
+    const float value = inside ? w.at<float> (v, u) : 0.0f;
+    return value > 0.0f ? value - center : std::numeric_limits<float>::infinity();
+  };
+  SlopeSums sums;
+  for (int dy = 0; dy <= radius; dy += step)
+    for (int dx = dy == 0 ? step : -radius; dx <= radius; dx += step) {
+      const float there = difference (x + dx, y + dy);
+      const float across = difference (x - dx, y - dy);
+      const bool straight = std::abs (there + across) < tolerance &&
+                            std::abs (there) < steepest && std::abs (across) < steepest;
       const auto fx = static_cast<float> (dx);
       const auto fy = static_cast<float> (dy);
-      xx += fx * fx;
-      xy += fx * fy;
-      yy += fy * fy;
-      xw += fx * d;
-      yw += fy * d;
+      if (straight || std::abs (there) < tolerance)
+        sums.add (fx, fy, there);
+      if (straight || std::abs (across) < tolerance)
+        sums.add (-fx, -fy, across);
     }
-  }
-  const float det = xx * yy - xy * xy;
-  if (det < 0.5f)
-    return {};
-  return {(yy * xw - xy * yw) / det, (xx * yw - xy * xw) / det, true};
+  return sums.solve();
 }
 
 float

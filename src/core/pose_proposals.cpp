@@ -17,7 +17,7 @@ constexpr double kClearlyBetter = 0.995; // a change must lower the cost by this
 PoseProposals::PoseProposals (JointEnergy& energy,
                               const std::vector<SegmentLink>& links,
                               int threads)
-: energy_ (energy), links_ (links), threads_ (threads)
+: energy_ (energy), threads_ (threads)
 {
   const int segments = energy.data().pixels().segments();
   neighbors_.resize (segments);

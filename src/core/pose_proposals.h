@@ -52,7 +52,6 @@ private:
   improve (int segment, const MotionState& state, bool first, RigidPose& pose) const;
 
   JointEnergy& energy_;
-  const std::vector<SegmentLink>& links_;
   int threads_;
   std::vector<std::vector<Neighbor>> neighbors_;
   std::vector<std::vector<RigidPose>> own_;

@@ -43,7 +43,10 @@ CompressedBlock::set (const Matrix6& information, const Vector6& gradient, doubl
 {
   residuals.fill (0.0);
   jacobian.fill (0.0);
-  if (!information.allFinite() || !gradient.allFinite() || information.trace() <= 0.0) {
+  finite = std::isfinite (cost) && information.allFinite() && gradient.allFinite();
+  if (!finite)
+    return;
+  if (information.trace() <= 0.0) {
     setCost (cost);
     return;
   }
@@ -61,7 +64,8 @@ void
 CompressedBlock::setCost (double cost)
 {
   residuals.fill (0.0);
-  residuals[6] = std::sqrt (std::max (0.0, 2.0 * cost));
+  finite = std::isfinite (cost);
+  residuals[6] = finite ? std::sqrt (std::max (0.0, 2.0 * cost)) : 0.0;
 }
 
 bool
@@ -72,7 +76,7 @@ SegmentBlockCost::Evaluate (double const* const*,
   std::copy (block_.residuals.begin(), block_.residuals.end(), residuals);
   if (jacobians && jacobians[0])
     std::copy (block_.jacobian.begin(), block_.jacobian.end(), jacobians[0]);
-  return true;
+  return block_.finite;
 }
 
 } // namespace pcl_msf

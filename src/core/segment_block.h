@@ -19,6 +19,7 @@ namespace pcl_msf {
 struct CompressedBlock {
   std::array<double, 7> residuals{};
   std::array<double, 42> jacobian{}; ///< 7 x 6, row major
+  bool finite{true}; ///< false: the poses cannot be evaluated, Ceres rejects the step
 
   /** \brief Residuals and Jacobian of a linearized quadratic. */
   void

@@ -180,7 +180,7 @@ TwoFrameSolve::refine (int at)
   report_.final_cost = outcome.final;
   const double change = outcome.initial.total() - outcome.final.total();
   report_.converged =
-      !outcome.failed &&
+      outcome.iterations > 0 && !outcome.failed &&
       (outcome.converged || std::abs (change) < kSettled * outcome.initial.total());
   if (at == 0)
     finest_ = std::make_unique<LevelData> (std::move (level));
