@@ -119,4 +119,30 @@ TEST (Normals, OwnOnesAreMadeUnitOrNone)
   EXPECT_EQ (frame.levels()[0].normals.at<cv::Vec3f> (3, 4), cv::Vec3f (0, 0, 0));
 }
 
+TEST (CentralDifferences, FindAFloorAtAGrazingAngle)
+{
+  // 1.2 m above a floor, level: row y shows it at z = 1.2 f / (y - cy), so that inverse
+  // depth changes by 1 / (y - cy) of itself per row.
+  const PinholeCamera camera{262.0, 262.0, 47.5, 0.0};
+  constexpr int kNearest = 12; // rows below the horizon: 26 m
+  const cv::Mat depth = test::image (
+      96, 80, [&] (int, int y) { return y < 4 ? std::nan ("") : 1.2 * camera.fy / y; });
+  const RgbdFrame frame = RgbdFrame::fromImages ({}, depth, camera);
+  const cv::Mat normals = frame.levels()[0].normals;
+  for (int y = kNearest; y < 79; ++y)
+    for (int x = 0; x < 96; ++x)
+      EXPECT_LT (cv::norm (normals.at<cv::Vec3f> (y, x) - cv::Vec3f (0, -1, 0)), 1e-3)
+          << x << " " << y;
+}
+
+TEST (NormalMethods, NoneLeavesThemOut)
+{
+  FrameParameters parameters;
+  parameters.normals = NormalMethod::None;
+  const RgbdFrame frame =
+      RgbdFrame::fromImages ({}, slantedPlane(), kCamera, parameters);
+  for (const FrameLevel& level : frame.levels())
+    EXPECT_EQ (cv::norm (level.normals), 0.0);
+}
+
 } // namespace
