@@ -25,6 +25,8 @@ constexpr double kRelativeDepthNoise = 0.003; // of inverse depth, beside the no
 constexpr double kMergeAllowance = 10.0;      // per merge, in squared deviations
 constexpr double kMergePerPoint = 0.05;       // per point of the smaller body
 constexpr double kSeparation = 0.15; // mean cost that a body of one's own must save
+constexpr int kStartRounds = 4;      // of proposals
+constexpr int kLaterRounds = 2;
 constexpr int kReassignRounds = 3;
 constexpr int kLastIterations = 4; // after the last merge
 constexpr double kSettled =
@@ -102,8 +104,11 @@ TwoFrameSolve::levelData (int level, bool with_pixels) const
 double
 TwoFrameSolve::residualScale (const SegmentPixels& pixels) const
 {
-  return static_cast<double> (pixels.brightness_count + pixels.icp_count) /
-         (energy_.brightness_weight + energy_.icp_weight);
+  const double alpha = pixels.brightness_count > 0 ? energy_.brightness_weight : 0.0;
+  const double beta = pixels.icp_count > 0 ? energy_.icp_weight : 0.0;
+  const int count =
+      (alpha > 0.0 ? pixels.brightness_count : 0) + (beta > 0.0 ? pixels.icp_count : 0);
+  return count / std::max (alpha + beta, 1e-12);
 }
 
 /** Poses worth descending from: the guess, rest, and what optical flow suggests. */
@@ -130,6 +135,13 @@ TwoFrameSolve::start (const RigidPose& guess)
     for (float& intensity : level.probes.intensity)
       intensity = change_.gain * intensity + change_.offset;
   }
+  propose (level, flow, kStartRounds);
+}
+
+/** Lets segments jump to the common poses, their flow's and their neighbours'. */
+void
+TwoFrameSolve::propose (const LevelData& level, const FlowHypotheses& flow, int rounds)
+{
   DataTerm data (
       level.probes, level.texture, makeRules (energy_, level.probes), threads_);
   JointEnergy energy (data, links_, energy_, level.focal_length);
@@ -139,8 +151,7 @@ TwoFrameSolve::start (const RigidPose& guess)
   for (std::size_t k = 0; k < flow.fitted.size(); ++k)
     if (flow.fitted[k])
       proposals.addOwn (static_cast<int> (k), flow.of_segment[k]);
-  constexpr int kRounds = 4;
-  proposals.run (kRounds, state_);
+  proposals.run (rounds, state_);
 }
 
 /** Minimizes Eq. 5 on a level; at the two finest, segments that move as one merge. */
@@ -151,16 +162,8 @@ TwoFrameSolve::refine (int at)
   DataTerm data (
       level.pixels, level.texture, makeRules (energy_, level.pixels), threads_);
   JointEnergy energy (data, links_, energy_, level.focal_length);
-  if (at < kCoarsestLevel && state_.poses.size() == state_.body_of.size()) {
-    DataTerm sample (
-        level.probes, level.texture, makeRules (energy_, level.probes), threads_);
-    JointEnergy sample_energy (sample, links_, energy_, level.focal_length);
-    PoseProposals proposals (sample_energy, links_, threads_);
-    for (const RigidPose& pose : common_poses_)
-      proposals.addCommon (pose);
-    constexpr int kRounds = 2;
-    proposals.run (kRounds, state_);
-  }
+  if (at < kCoarsestLevel && state_.poses.size() == state_.body_of.size())
+    propose (level, FlowHypotheses{}, kLaterRounds);
   // The finest level is about half of the work, the start a fifth.
   const double begin = at == 0 ? 0.5 : 0.5 - 0.15 * at;
   monitor_.enter (

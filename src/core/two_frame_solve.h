@@ -38,6 +38,8 @@ private:
   void
   start (const RigidPose& guess);
   void
+  propose (const LevelData& level, const FlowHypotheses& flow, int rounds);
+  void
   refine (int level);
   void
   mergeAndReassign (JointEnergy& energy, LevelData& level);
