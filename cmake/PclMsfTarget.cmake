@@ -15,6 +15,9 @@ function (pcl_msf_target_settings target)
     target_compile_options (${target} PRIVATE
       -fsanitize=${PCL_MSF_SANITIZE} -fno-omit-frame-pointer)
     target_link_options (${target} PRIVATE -fsanitize=${PCL_MSF_SANITIZE})
+    # Eigen changes its allocator under a sanitizer; prebuilt libraries that hand out
+    # Eigen matrices have not.
+    target_compile_definitions (${target} PRIVATE EIGEN_MALLOC_ALREADY_ALIGNED=1)
   endif ()
 endfunction ()
 
