@@ -29,14 +29,25 @@ public:
                  const EnergyParameters& energy,
                  const SolverParameters& solver);
 
+  /** \brief Finds a start itself. \param guess one more to try, for all segments */
   SceneFlow
   run (const RigidPose& guess);
+
+  /** \brief Starts from a pose per segment. */
+  SceneFlow
+  runFrom (const std::vector<RigidPose>& poses);
 
 private:
   void
   prepare ();
+  LevelData
+  startAt (const std::vector<RigidPose>& poses);
+  FlowHypotheses
+  lookAtFlow (const RigidPose& guess, LevelData& level);
   void
   start (const RigidPose& guess);
+  SceneFlow
+  descend ();
   void
   propose (const LevelData& level, const FlowHypotheses& flow, int rounds);
   void
