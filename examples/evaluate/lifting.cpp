@@ -46,8 +46,7 @@ liftByDepth (const PairData& pair, Estimate& estimate)
       float z = evaluation::depthAt (pair.current.depth, u, v);
       if (z <= 0.0f)
         z = p[2];
-      const Eigen::Vector3f q =
-          pair.current.camera.backProject (u, v, z).cast<float>();
+      const Eigen::Vector3f q = pair.current.camera.backProject (u, v, z).cast<float>();
       estimate.displacement.at<cv::Vec3f> (y, x) = {
           q.x() - p[0], q.y() - p[1], q.z() - p[2]};
     }

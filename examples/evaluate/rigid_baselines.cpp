@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <pcl/registration/gicp.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
-#include <pcl/registration/gicp.h>
 
 #include "baselines.h"
 #include "lifting.h"
@@ -22,7 +22,8 @@ sparseCloud (const io::RgbdImages& images)
 {
   const cv::Mat points = pointsOf (images);
   const auto pixels = static_cast<double> (points.total());
-  const int step = std::max (1, static_cast<int> (std::ceil (std::sqrt (pixels / kMostPoints))));
+  const int step =
+      std::max (1, static_cast<int> (std::ceil (std::sqrt (pixels / kMostPoints))));
   auto cloud = std::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
   for (int y = step / 2; y < points.rows; y += step)
     for (int x = step / 2; x < points.cols; x += step) {

@@ -46,7 +46,8 @@ addSceneFlowColumns (Columns& c)
   c.push_back ({"epe3d_all", "average 3D end-point error, m", &Score::epe3d_all, 5});
   c.push_back ({"epe3d_visible", "the same, visible", &Score::epe3d_visible, 5});
   c.push_back ({"epe3d_occluded", "the same, hidden", &Score::epe3d_occluded, 5});
-  c.push_back ({"epe3d_median", "median of visible points, m", &Score::epe3d_median, 5});
+  c.push_back (
+      {"epe3d_median", "median of visible points, m", &Score::epe3d_median, 5});
   c.push_back ({"acc5_all", "share of 3D errors < 5 cm", &Score::acc5_all, 3});
   c.push_back ({"acc5_visible", "the same, visible", &Score::acc5_visible, 3});
   c.push_back ({"acc5_occluded", "the same, hidden", &Score::acc5_occluded, 3});
@@ -66,7 +67,8 @@ addMotionColumns (Columns& c)
                 "share of points in a group that is mostly of their label",
                 &Score::purity,
                 3});
-  c.push_back ({"segment_rot", "segments' rotation error, deg", &Score::segment_rot, 3});
+  c.push_back (
+      {"segment_rot", "segments' rotation error, deg", &Score::segment_rot, 3});
   c.push_back ({"segment_trans",
                 "segments' translation error at their centroids, mm",
                 &Score::segment_trans,
