@@ -34,7 +34,10 @@ quoted (const std::string& text)
     return text;
   std::string result = "\"";
   for (const char c : text)
-    result += c == '"' ? "\"\"" : std::string (1, c);
+    if (c == '"')
+      result += "\"\"";
+    else
+      result += c == '\n' ? ' ' : c; // a row is a line
   return result + "\"";
 }
 
@@ -61,7 +64,7 @@ const std::vector<std::string>&
 fieldNames ()
 {
   static const std::vector<std::string> names = [] {
-    std::vector<std::string> all{"dataset", "sequence", "from", "to", "method"};
+    std::vector<std::string> all{"pair", "dataset", "sequence", "from", "to", "method"};
     for (const Column& c : columns())
       all.push_back (c.name);
     for (const char* motion : {"motion_", "true_motion_"})
@@ -102,9 +105,9 @@ headText (const ResultFile& file)
 std::string
 rowText (const Row& row)
 {
-  std::string text = quoted (row.dataset) + "," + quoted (row.sequence) + "," +
-                     std::to_string (row.from) + "," + std::to_string (row.to) + "," +
-                     quoted (row.method);
+  std::string text = std::to_string (row.pair) + "," + quoted (row.dataset) + "," +
+                     quoted (row.sequence) + "," + std::to_string (row.from) + "," +
+                     std::to_string (row.to) + "," + quoted (row.method);
   for (const Column& c : columns())
     text += "," + numberText (row.score.*c.value);
   for (const double p : row.score.motion)
@@ -124,12 +127,13 @@ parseRow (const std::string& line)
                         " fields where " + std::to_string (names.size()) +
                         " are expected");
   Row row;
-  row.dataset = fields[0];
-  row.sequence = fields[1];
-  row.method = fields[4];
-  readField (fields[2], names[2], row.from);
-  readField (fields[3], names[3], row.to);
-  std::size_t at = 5;
+  readField (fields[0], names[0], row.pair);
+  row.dataset = fields[1];
+  row.sequence = fields[2];
+  readField (fields[3], names[3], row.from);
+  readField (fields[4], names[4], row.to);
+  row.method = fields[5];
+  std::size_t at = 6;
   const auto next = [&] (double& value) {
     if (!fields[at].empty())
       readField (fields[at], names[at], value);

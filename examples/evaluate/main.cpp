@@ -6,11 +6,14 @@
 #include <opencv2/core/utils/logger.hpp>
 
 #include "csv.h"
+#include "merge.h"
 #include "options.h"
 #include "run.h"
 #include "scene_flow/interruption.h"
 #include "scene_flow/options.h"
+#include "summary.h"
 #include "tables.h"
+#include <pcl_msf/io/text_files.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -31,13 +34,40 @@ complain (std::string message)
   std::fprintf (stderr, "%s: %s\n", kProgram, message.c_str());
 }
 
+void
+report (const ResultFile& results, const EvaluateOptions& options)
+{
+  if (!options.json.empty())
+    io::writeText (options.json, jsonText (results));
+  if (!results.rows.empty())
+    std::fputs (allTables (results.rows).c_str(), stdout);
+}
+
+int
+merge (const EvaluateOptions& options)
+{
+  const Merged merged = mergeResults (options.merged);
+  if (!options.csv.empty())
+    writeResults (options.csv, merged.results);
+  report (merged.results, options);
+  std::string missing;
+  for (const std::string& what : merged.missing)
+    missing += (missing.empty() ? "" : "; ") + what;
+  if (!missing.empty())
+    complain ("missing: " + missing +
+              "; run these shards again, or without --shard on the merged --csv");
+  return missing.empty() ? 0 : 1;
+}
+
 int
 run (const EvaluateOptions& options)
 {
-  const ResultFile results = evaluateAll (options);
-  if (!results.rows.empty())
-    std::fputs (allTables (results.rows).c_str(), stdout);
-  return 0;
+  const RunOutcome outcome = evaluateAll (options);
+  report (outcome.results, options);
+  if (outcome.failed > 0)
+    complain (std::to_string (outcome.failed) +
+              " pairs failed; the same command tries them again");
+  return outcome.failed > 0 ? 1 : 0;
 }
 
 } // namespace
@@ -58,7 +88,7 @@ main (int argc, char** argv)
     }
     pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS);
     noteSignals();
-    return run (options);
+    return options.merge ? merge (options) : run (options);
   }
   catch (const Interrupted& e) {
     complain (e.what());

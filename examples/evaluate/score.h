@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,7 @@ column (const std::string& name);
 
 /** \brief One line of the result: a method on a pair of frames. */
 struct Row {
+  std::size_t pair{0}; ///< number of the pair in the whole run, from 0 on
   std::string dataset;
   std::string sequence;
   int from{0};

@@ -2,11 +2,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "tables.h"
 
+#include "summary.h"
+#include "table_text.h"
 #include <pcl_msf/evaluation/flow_errors.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <utility>
 
@@ -14,240 +15,239 @@ namespace pcl_msf::tool {
 
 namespace {
 
-using Line = std::vector<std::string>;
+/** Names of pairs: the sequence, with frames unless it has this pair only. */
+std::map<std::size_t, std::string>
+pairNames (const std::vector<Row>& rows)
+{
+  std::map<std::size_t, std::string> names;
+  std::map<std::string, int> count;
+  for (const Row& row : rows)
+    if (names.emplace (row.pair, row.sequence).second)
+      ++count[row.sequence];
+  for (const Row& row : rows)
+    if (count[row.sequence] > 1)
+      names[row.pair] = row.sequence + " " + std::to_string (row.from) + "-" +
+                        std::to_string (row.to);
+  return names;
+}
 
-/** A Markdown table whose columns are aligned in the text, too. */
-class Table {
-public:
-  explicit Table (Line head) : lines_ (1, std::move (head)) {}
-
-  void
-  add (Line line)
-  {
-    lines_.push_back (std::move (line));
-  }
-
-  std::string
-  text () const
-  {
-    std::vector<std::size_t> widths (lines_[0].size(), 3);
-    for (const Line& line : lines_)
-      for (std::size_t i = 0; i < line.size(); ++i)
-        widths[i] = std::max (widths[i], line[i].size());
-    std::string result;
-    for (std::size_t n = 0; n < lines_.size(); ++n) {
-      result += "|";
-      for (std::size_t i = 0; i < widths.size(); ++i) {
-        const std::string fill (widths[i] - lines_[n][i].size(), ' ');
-        result += i == 0 ? " " + lines_[n][i] + fill : " " + fill + lines_[n][i];
-        result += " |";
-      }
-      result += "\n";
-      if (n > 0)
-        continue;
-      for (std::size_t i = 0; i < widths.size(); ++i)
-        result += (i == 0 ? "|" : "") +
-                  std::string (widths[i] + (i == 0 ? 2 : 1), '-') +
-                  (i == 0 ? "|" : ":|");
-      result += "\n";
-    }
-    return result;
-  }
-
-private:
-  std::vector<Line> lines_;
+/** What a table of methods shows. */
+struct Shown {
+  const char* title;
+  const char* column;
+  double scale; ///< multiplies what is printed, e.g. 1000 for m as mm
+  int decimals;
 };
 
+/** A line per pair, a column per method, the least in bold; mean and median. */
 std::string
-cell (double value, int decimals)
+methodTable (const std::vector<Row>& rows, const Shown& shown)
 {
-  if (!std::isfinite (value))
-    return "-";
-  char text[64];
-  std::snprintf (text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
-
-using PairKey = std::pair<std::string, std::pair<int, int>>;
-
-PairKey
-keyOf (const Row& row)
-{
-  return {row.sequence, {row.from, row.to}};
-}
-
-/** Name of a pair: the sequence, with frames unless it has this pair only. */
-std::vector<std::pair<PairKey, std::string>>
-pairsOf (const std::vector<Row>& rows)
-{
-  std::vector<std::pair<PairKey, std::string>> pairs;
-  std::map<std::string, int> count;
-  std::map<PairKey, bool> known;
-  for (const Row& row : rows)
-    if (!std::exchange (known[keyOf (row)], true)) {
-      pairs.emplace_back (keyOf (row), row.sequence);
-      ++count[row.sequence];
-    }
-  for (auto& [key, name] : pairs)
-    if (count[key.first] > 1)
-      name += " " + std::to_string (key.second.first) + "-" +
-              std::to_string (key.second.second);
-  return pairs;
-}
-
-std::vector<double>
-known (std::vector<double> values)
-{
-  values.erase (std::remove_if (values.begin(),
-                                values.end(),
-                                [] (double v) { return !std::isfinite (v); }),
-                values.end());
-  return values;
-}
-
-std::vector<double>
-valuesOf (const std::vector<Row>& rows, const std::string& method, double Score::*value)
-{
-  std::vector<double> values;
-  for (const Row& row : rows)
-    if (row.method == method)
-      values.push_back (row.score.*value);
-  return known (std::move (values));
-}
-
-} // namespace
-
-std::vector<std::string>
-methodsOf (const std::vector<Row>& rows)
-{
-  std::vector<std::string> methods;
-  for (const Row& row : rows)
-    if (std::find (methods.begin(), methods.end(), row.method) == methods.end())
-      methods.push_back (row.method);
-  return methods;
-}
-
-std::string
-methodTable (const std::vector<Row>& rows,
-             const std::string& title,
-             const std::string& name,
-             double scale,
-             int decimals)
-{
-  double Score::*const value = column (name).value;
+  double Score::*const value = column (shown.column).value;
   const std::vector<std::string> methods = methodsOf (rows);
-  std::map<PairKey, std::map<std::string, double>> table;
-  bool any = false;
-  for (const Row& row : rows) {
-    table[keyOf (row)][row.method] = scale * row.score.*value;
-    any = any || std::isfinite (row.score.*value);
-  }
-  if (!any)
+  std::map<std::size_t, std::map<std::string, double>> numbers;
+  for (const Row& row : rows)
+    if (std::isfinite (row.score.*value))
+      numbers[row.pair][row.method] = shown.scale * row.score.*value;
+  if (numbers.empty())
     return {};
-  Line head{"pair"};
+  std::map<std::size_t, std::string> names = pairNames (rows);
+  TableText::Line head{"pair"}, means{"mean"}, medians{"median"};
   head.insert (head.end(), methods.begin(), methods.end());
-  Table text (head);
-  for (const auto& [key, pair] : pairsOf (rows)) {
-    std::map<std::string, double>& values = table[key];
+  TableText table (head);
+  for (const auto& [pair, of] : numbers) {
     double best = std::nan ("");
-    for (const auto& [method, v] : values)
-      best = std::fmin (best, v);
-    if (!std::isfinite (best))
-      continue;
-    Line line{pair};
+    for (const auto& [method, number] : of)
+      best = std::fmin (best, number);
+    TableText::Line line{names[pair]};
     for (const std::string& method : methods) {
-      const double v = values.count (method) ? values[method] : std::nan ("");
-      const std::string number = cell (v, decimals);
-      line.push_back (v == best ? "**" + number + "**" : number);
+      const auto found = of.find (method);
+      const double number = found == of.end() ? std::nan ("") : found->second;
+      const std::string text = cell (number, shown.decimals);
+      line.push_back (text == cell (best, shown.decimals) ? "**" + text + "**" : text);
     }
-    text.add (line);
+    table.add (line);
   }
-  Line means{"mean"}, medians{"median"};
   for (const std::string& method : methods) {
     const std::vector<double> values = valuesOf (rows, method, value);
-    means.push_back (cell (scale * evaluation::mean (values), decimals));
-    medians.push_back (cell (scale * evaluation::median (values), decimals));
+    means.push_back (cell (shown.scale * evaluation::mean (values), shown.decimals));
+    medians.push_back (
+        cell (shown.scale * evaluation::median (values), shown.decimals));
   }
-  text.add (means);
-  text.add (medians);
-  return title + "\n\n" + text.text() + "\n";
+  table.add (means);
+  table.add (medians);
+  return std::string (shown.title) + "\n\n" + table.text() + "\n";
+}
+
+bool
+isKnown (const std::vector<Row>& rows, const std::string& method, const Column& c)
+{
+  return !valuesOf (rows, method, c.value).empty();
+}
+
+/** A line per pair, some numbers of one method that its rows have. */
+std::string
+detailTable (const std::vector<Row>& rows,
+             const std::string& method,
+             const std::string& title,
+             const std::vector<std::string>& wanted)
+{
+  std::vector<Column> shown;
+  TableText::Line head{"pair"};
+  for (const std::string& name : wanted)
+    if (isKnown (rows, method, column (name))) {
+      shown.push_back (column (name));
+      head.push_back (name);
+    }
+  TableText table (head);
+  std::map<std::size_t, std::string> names = pairNames (rows);
+  for (const Row& row : rows) {
+    const bool any = std::any_of (shown.begin(), shown.end(), [&] (const Column& c) {
+      return std::isfinite (row.score.*c.value);
+    });
+    if (row.method != method || !any)
+      continue;
+    TableText::Line line{names[row.pair]};
+    for (const Column& c : shown)
+      line.push_back (cell (row.score.*c.value, c.decimals));
+    table.add (line);
+  }
+  if (table.empty())
+    return {};
+  return title + ", " + method + "\n\n" + table.text() + "\n";
 }
 
 std::string
-detailTable (const std::vector<Row>& rows, const std::string& method)
+detailTables (const std::vector<Row>& rows, const std::string& method)
 {
-  std::vector<Column> shown;
-  for (const Column& c : columns())
-    if (!valuesOf (rows, method, c.value).empty())
-      shown.push_back (c);
-  Line head{"pair"};
-  for (const Column& c : shown)
-    head.push_back (c.name);
-  Table text (head);
-  std::map<PairKey, std::string> names;
-  for (const auto& [key, name] : pairsOf (rows))
-    names[key] = name;
-  for (const Row& row : rows) {
-    if (row.method != method)
-      continue;
-    Line line{names[keyOf (row)]};
-    for (const Column& c : shown)
-      line.push_back (cell (row.score.*c.value, c.decimals));
-    text.add (line);
-  }
-  return "All numbers of " + method + " (see --help for the columns)\n\n" +
-         text.text() + "\n";
+  return detailTable (rows,
+                      method,
+                      "Flow, px",
+                      {"coverage",
+                       "epe_all",
+                       "epe_visible",
+                       "epe_occluded",
+                       "epe_median",
+                       "rms_visible",
+                       "aae_visible",
+                       "out_all",
+                       "out_visible",
+                       "out_occluded"}) +
+         detailTable (rows,
+                      method,
+                      "Scene flow, m",
+                      {"epe3d_all",
+                       "epe3d_visible",
+                       "epe3d_occluded",
+                       "epe3d_median",
+                       "acc5_visible",
+                       "acc1_visible"}) +
+         detailTable (rows,
+                      method,
+                      "Segments and motions, deg and mm",
+                      {"segments",
+                       "groups",
+                       "ari",
+                       "purity",
+                       "segment_rot",
+                       "segment_trans",
+                       "segment_rot_median",
+                       "segment_trans_median",
+                       "ego_rot",
+                       "ego_trans"}) +
+         detailTable (rows,
+                      method,
+                      "Residuals, grey levels and m; time, s; memory, MB",
+                      {"seen",
+                       "photo_mean",
+                       "photo_median",
+                       "depth_mean",
+                       "depth_median",
+                       "depth_sigmas",
+                       "sec",
+                       "sec_frame",
+                       "sec_segment",
+                       "sec_start",
+                       "sec_solve",
+                       "sec_result",
+                       "peak_mb"});
 }
 
+/** A line per number, a column per method, means over the pairs. */
 std::string
 summaryTable (const std::vector<Row>& rows)
 {
   const std::vector<std::string> methods = methodsOf (rows);
-  std::vector<Column> shown;
-  for (const Column& c : columns())
-    if (std::any_of (methods.begin(), methods.end(), [&] (const std::string& m) {
-          return !valuesOf (rows, m, c.value).empty();
-        }))
-      shown.push_back (c);
-  Line head{"mean over pairs"};
+  TableText::Line head{"mean over pairs"};
   head.insert (head.end(), methods.begin(), methods.end());
-  Table text (head);
-  for (const Column& c : shown) {
-    Line line{c.name};
+  TableText table (head);
+  for (const Column& c : columns()) {
+    TableText::Line line{c.name};
     for (const std::string& method : methods)
       line.push_back (
           cell (evaluation::mean (valuesOf (rows, method, c.value)), c.decimals));
-    text.add (line);
+    if (std::any_of (methods.begin(), methods.end(), [&] (const std::string& m) {
+          return isKnown (rows, m, c);
+        }))
+      table.add (line);
   }
-  return "Means over the pairs where a method has the number\n\n" + text.text() + "\n";
+  return "Means over the pairs where a method has the number\n\n" + table.text() + "\n";
 }
+
+std::string
+pathTable (const std::vector<Row>& rows)
+{
+  TableText table ({"camera path", "method", "poses", "ATE mm", "RPE mm", "RPE deg"});
+  for (const PathErrors& path : pathErrors (rows))
+    table.add ({path.sequence,
+                path.method,
+                std::to_string (path.poses),
+                cell (1000.0 * path.ate_m, 2),
+                cell (1000.0 * path.rpe_m, 2),
+                cell (path.rpe_deg, 3)});
+  if (table.empty())
+    return {};
+  return "Camera paths by the dominant motion, root mean squares\n\n" + table.text() +
+         "\n";
+}
+
+} // namespace
 
 std::string
 allTables (const std::vector<Row>& rows)
 {
-  std::string text =
-      methodTable (rows,
-                   "Average end-point error, px, points seen in both frames",
-                   "epe_visible",
-                   1.0,
-                   3);
-  text += methodTable (rows,
-                       "Average 3D end-point error, mm, points seen in both frames",
-                       "epe3d_visible",
-                       1000.0,
-                       2);
-  if (text.empty())
-    text = methodTable (rows,
-                        "Photometric residual, mean, grey levels of 255, where the "
-                        "method sees points",
-                        "photo_mean",
-                        1.0,
-                        2) +
-           methodTable (
-               rows, "Depth residual, median, mm, there", "depth_median", 1000.0, 1);
-  text += detailTable (rows, methodsOf (rows).at (0));
-  text += summaryTable (rows);
-  return text;
+  const Shown with_truth[] = {
+      {"Average end-point error, px, points seen in both frames",
+       "epe_visible",
+       1.0,
+       3},
+      {"Average 3D end-point error, mm, points seen in both frames",
+       "epe3d_visible",
+       1000.0,
+       2}};
+  const Shown without[] = {
+      {"Photometric residual, mean, grey levels of 255, where the first method that "
+       "reports visibility sees points",
+       "photo_mean",
+       1.0,
+       2},
+      {"Photometric residual, median, there", "photo_median", 1.0, 2},
+      {"Depth residual, median, mm, there (flow lifted by depth has none by "
+       "construction)",
+       "depth_median",
+       1000.0,
+       1}};
+  std::string text;
+  for (const Shown& shown : with_truth)
+    text += methodTable (rows, shown);
+  const bool some_unknown = std::any_of (rows.begin(), rows.end(), [] (const Row& row) {
+    return std::isnan (row.score.epe_visible);
+  });
+  if (some_unknown)
+    for (const Shown& shown : without)
+      text += methodTable (rows, shown);
+  return text + detailTables (rows, methodsOf (rows).at (0)) + pathTable (rows) +
+         summaryTable (rows) + sintelTable (rows) + ablationTable (rows);
 }
 
 } // namespace pcl_msf::tool

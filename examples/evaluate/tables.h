@@ -9,30 +9,18 @@
 
 namespace pcl_msf::tool {
 
-/** \brief The methods of the rows, in order of appearance. */
-std::vector<std::string>
-methodsOf (const std::vector<Row>& rows);
-
-/** \brief Markdown: a line per pair, a column per method, the best in bold, mean and
- * median of all lines. Empty when no row has the number.
- * \param scale multiplies what is printed, e.g. 1000 for m as mm */
-std::string
-methodTable (const std::vector<Row>& rows,
-             const std::string& title,
-             const std::string& column,
-             double scale,
-             int decimals);
-
-/** \brief Markdown: a line per pair, all numbers of one method that its rows have. */
-std::string
-detailTable (const std::vector<Row>& rows, const std::string& method);
-
-/** \brief Markdown: a line per method, means over the pairs. */
-std::string
-summaryTable (const std::vector<Row>& rows);
-
-/** \brief All tables that say something about these rows. */
+/** \brief All Markdown tables that say something about these rows. */
 std::string
 allTables (const std::vector<Row>& rows);
+
+/** \brief The end-point errors that the method's paper reports for MPI-Sintel (its
+ * Table 1 and section 4.1), beside ours; empty without any of these sequences. */
+std::string
+sintelTable (const std::vector<Row>& rows);
+
+/** \brief Change of error and time by the l1 and l2 norms, beside the paper's (section
+ * 4.1); empty unless `msf` and one of them were run. */
+std::string
+ablationTable (const std::vector<Row>& rows);
 
 } // namespace pcl_msf::tool

@@ -7,6 +7,8 @@
 #include "score_pair.h"
 #include <pcl_msf/errors.h>
 
+#include <map>
+
 namespace pcl_msf::tool {
 
 namespace {
@@ -14,16 +16,16 @@ namespace {
 void
 addPairs (const EvaluateOptions& options,
           const std::shared_ptr<const io::RgbdSequence>& sequence,
+          const std::string& name,
           std::vector<WorkItem>& work)
 {
   const int frames = sequence->frames();
-  const std::string name = sequence->name();
   int count = 0;
   for (int to = options.step; to < frames; to += options.step) {
     if (options.limit > 0 && count++ == options.limit)
       break;
     const int from = options.pairs == Pairs::Adjacent ? to - options.step : 0;
-    work.push_back ({sequence, name, from, to});
+    work.push_back ({work.size(), sequence, name, from, to});
   }
 }
 
@@ -60,8 +62,13 @@ listWork (const EvaluateOptions& options)
           ? openGenerated (options.generated)
           : io::openDataset (options.dataset, options.path, options.reading);
   std::vector<WorkItem> work;
-  for (const auto& sequence : sequences)
-    addPairs (options, sequence, work);
+  std::map<std::string, int> uses;
+  for (const auto& sequence : sequences) {
+    std::string name = sequence->name();
+    if (const int use = ++uses[name]; use > 1) // rows are told apart by it
+      name += "#" + std::to_string (use);
+    addPairs (options, sequence, name, work);
+  }
   if (work.empty())
     throw UsageError (options.path +
                       ": no pair of frames; the sequences have too few "
@@ -86,7 +93,7 @@ PairRunner::run (const WorkItem& item) const
   cv::Mat seen;
   std::vector<Row> rows;
   for (std::size_t i = 0; i < methods_.size(); ++i) {
-    Row row{dataset_, item.name, item.from, item.to, names_[i], {}};
+    Row row{item.number, dataset_, item.name, item.from, item.to, names_[i], {}};
     const Method& method = *methods_[i];
     if ((color || !method.needsColor()) && method.canRun (pair)) {
       const PeakMemory memory;

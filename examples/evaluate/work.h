@@ -14,6 +14,7 @@ namespace pcl_msf::tool {
 
 /** \brief One pair of frames of one sequence. */
 struct WorkItem {
+  std::size_t number{0};
   std::shared_ptr<const io::RgbdSequence> sequence;
   std::string name; ///< the sequence's
   int from{0};

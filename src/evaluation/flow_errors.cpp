@@ -103,7 +103,9 @@ median (std::vector<double> values)
     return kNan;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t> (values.size() / 2);
   std::nth_element (values.begin(), middle, values.end());
-  return *middle;
+  if (values.size() % 2 == 1)
+    return *middle;
+  return 0.5 * (*middle + *std::max_element (values.begin(), middle));
 }
 
 cv::Mat

@@ -15,6 +15,7 @@ namespace pcl_msf::evaluation {
 
 namespace {
 
+constexpr double kLeastNoise = 1e-5; // 1 / metres; no sensor is better
 constexpr float kOneSurface = 1.05f; // largest ratio of depths of one surface
 
 cv::Mat
@@ -124,7 +125,7 @@ depthResiduals (const cv::Mat& points,
       metres.push_back (std::abs (p[2] - z));
       sigmas.push_back (std::abs (1.0 / p[2] - 1.0 / z) / inverse_depth_noise);
     }
-  const double sigma = inverse_depth_noise > 0.0
+  const double sigma = inverse_depth_noise >= kLeastNoise
                            ? median (std::move (sigmas))
                            : std::numeric_limits<double>::quiet_NaN();
   return {static_cast<long> (metres.size()), mean (metres), median (metres), sigma};

@@ -76,7 +76,7 @@ sceneFlowErrors (const cv::Mat& displacement,
 double
 mean (const std::vector<double>& values);
 
-/** \brief Median of a list, for an even number the upper of the middle two; NaN when it
+/** \brief Median of a list, for an even number the mean of the middle two; NaN when it
  * is empty. */
 double
 median (std::vector<double> values);

@@ -29,10 +29,11 @@ photometricResiduals (const cv::Mat& flow,
 
 /** \brief Distance of moved points from the current frame's surface along z. */
 struct DepthResiduals {
-  long points{0};       ///< in the mask, landing where the current frame has depth
-  double mean;          ///< metres; NaN without points
-  double median;        ///< metres
-  double median_sigmas; ///< in standard deviations of the sensor; NaN for noise 0
+  long points{0}; ///< in the mask, landing where the current frame has depth
+  double mean;    ///< metres; NaN without points
+  double median;  ///< metres
+  double
+      median_sigmas; ///< in standard deviations of the sensor; NaN for noise < 1e-5 / m
 };
 
 /** \brief |z of the moved point - depth of the current frame where it lands|.
