@@ -48,7 +48,8 @@ Estimate
 TvL1Flow::run (const PairData& pair) const
 {
   const auto algorithm = cv::optflow::DualTVL1OpticalFlow::create();
-  algorithm->setWarpingsNumber (2);
+  algorithm->setScaleStep (0.5);
+  algorithm->setScalesNumber (6);
   algorithm->setEpsilon (0.02);
   return runFlow (*algorithm, pair);
 }

@@ -45,7 +45,7 @@ methodHelp ()
           {"dis_fast", "OpenCV's DIS optical flow, fast preset, lifted by depth"},
           {"dis_medium", "the same, medium preset"},
 #ifdef PCL_MSF_HAS_OPTFLOW
-          {"tvl1", "OpenCV's TV-L1 optical flow (2 warps), lifted by depth"}
+          {"tvl1", "OpenCV's TV-L1 optical flow (6 octaves), lifted by depth"}
 #endif
   };
 }
