@@ -70,9 +70,9 @@ listWork (const EvaluateOptions& options)
     addPairs (options, sequence, name, work);
   }
   if (work.empty())
-    throw UsageError (options.path +
-                      ": no pair of frames; the sequences have too few "
-                      "frames for --step " +
+    throw UsageError ((options.path.empty() ? "--frames" : options.path) +
+                      std::string (": no pair of frames; the sequences have too few "
+                                   "frames for --step ") +
                       std::to_string (options.step));
   return work;
 }
