@@ -29,7 +29,7 @@ struct DatasetOptions {
   std::string view{"left"};
 
   /** \brief Between colour and depth, and between colour and pose; TUM only. Seconds,
-   * >= 0. */
+   * > 0. */
   double max_time_difference{0.02};
 };
 

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <opencv2/core.hpp>
+
+#include <cmath>
+
+namespace pcl_msf::testing {
+
+/** \brief Two float images of any number of channels are known at the same pixels and
+ * agree there, and more than `least` values are known. \param zero_is_none 0 counts as
+ * unknown in both */
+inline void
+expectSame (const cv::Mat& actual,
+            const cv::Mat& expected,
+            double tolerance,
+            int least,
+            bool zero_is_none = false)
+{
+  ASSERT_EQ (actual.size(), expected.size());
+  ASSERT_EQ (actual.type(), expected.type());
+  const int values = actual.cols * actual.channels();
+  const auto known = [zero_is_none] (float value) {
+    return std::isfinite (value) && !(zero_is_none && value == 0.0F);
+  };
+  int compared = 0, differing = 0;
+  double worst = 0.0;
+  for (int row = 0; row < actual.rows; ++row)
+    for (int i = 0; i < values; ++i) {
+      const float a = actual.ptr<float> (row)[i], b = expected.ptr<float> (row)[i];
+      differing += known (a) != known (b);
+      if (!known (a) || !known (b))
+        continue;
+      ++compared;
+      worst = std::max (worst, std::abs (double{a} - double{b}));
+    }
+  EXPECT_EQ (differing, 0) << "values known in one image only";
+  EXPECT_GT (compared, least);
+  EXPECT_LE (worst, tolerance);
+}
+
+/** \brief Share of pixels whose masks agree. */
+inline double
+agreement (const cv::Mat& a, const cv::Mat& b)
+{
+  EXPECT_EQ (a.type(), CV_8UC1);
+  EXPECT_EQ (a.size(), b.size());
+  return 1.0 - cv::countNonZero (a != b) / static_cast<double> (a.total());
+}
+
+} // namespace pcl_msf::testing
