@@ -201,8 +201,8 @@ inline cv::Mat
 kittiFlow (const cv::Mat& flow, const cv::Mat& known)
 {
   cv::Mat image (flow.size(), CV_16UC3, cv::Scalar (0, 0, 0));
-  const auto encode = [] (float value) {
-    return static_cast<std::uint16_t> (std::lround (value * 64.0F + 32768.0F));
+  const auto encode = [] (double value) {
+    return static_cast<std::uint16_t> (std::lround (value * 64.0 + 32768.0));
   };
   for (int row = 0; row < flow.rows; ++row)
     for (int col = 0; col < flow.cols; ++col) {

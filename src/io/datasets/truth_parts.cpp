@@ -30,12 +30,12 @@ depthRange (const cv::Mat& depth, float x, float y, float& nearest, float& farth
 {
   nearest = std::numeric_limits<float>::max();
   farthest = 0.0F;
-  for (int dy = 0; dy < 2; ++dy)
-    for (int dx = 0; dx < 2; ++dx) {
-      const int col =
-          std::clamp (static_cast<int> (std::floor (x)) + dx, 0, depth.cols - 1);
-      const int row =
-          std::clamp (static_cast<int> (std::floor (y)) + dy, 0, depth.rows - 1);
+  const auto within = [] (float place, int size) {
+    return std::clamp (static_cast<int> (place), 0, size - 1);
+  };
+  for (const float v : {std::floor (y), std::ceil (y)})
+    for (const float u : {std::floor (x), std::ceil (x)}) {
+      const int row = within (v, depth.rows), col = within (u, depth.cols);
       const float z = depth.at<float> (row, col);
       if (!isDepth (z))
         continue;
