@@ -98,6 +98,8 @@ TEST (Cases, ReadTheGeneratorsTruth)
   EXPECT_EQ (sequence->name(), "bodies");
   ASSERT_EQ (sequence->frames(), 3);
   expectSame (sequence->frame (2).depth, made.frames[2].depth, 0.0, 5000, true);
+  EXPECT_THROW (sequence->frame (3), InvalidInput);
+  EXPECT_THROW (sequence->truth (0, -1), InvalidInput);
   EXPECT_EQ (sequence->frame (2).camera.fx, made.camera.fx);
   const io::MotionTruth truth = sequence->truth (0, 2);
   expectSame (truth.flow, made.truth[2].flow, 0.0, 5000);

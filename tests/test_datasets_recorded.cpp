@@ -168,6 +168,24 @@ TEST (Folder, PairsSortedImages)
   EXPECT_EQ (sequences[2]->name(), "c");
 }
 
+TEST (Folder, PairsByTimesInTheNames)
+{
+  const TemporaryFolder folder;
+  putFrame (folder ("rgb/7.100.png"), folder ("depth/7.105.png"), 1);
+  putFrame (folder ("rgb/7.133.png"), folder ("depth/7.170.png"), 2);
+  putFrame (folder ("rgb/7.166.png"), folder ("depth/7.300.png"), 3);
+  putText (folder ("camera.txt"), "30 30 15.5 11.5 32 24 1000\n");
+  const auto sequence = openDataset ("bonn", folder ("")).front();
+  ASSERT_EQ (sequence->frames(), 2);
+  EXPECT_NEAR (sequence->timestamp (1), 7.166, 1e-9);
+  EXPECT_EQ (sequence->frame (1).color.at<cv::Vec3b> (0, 0)[0], 3);
+  EXPECT_FLOAT_EQ (sequence->frame (1).depth.at<float> (0, 0), 2.0F);
+  io::DatasetOptions options;
+  options.max_time_difference = 0.001;
+  expectIoError (
+      [&] { openDataset ("bonn", folder (""), options); }, folder (""), "frames");
+}
+
 TEST (Folder, TakesCameraFilesAndDepthAlone)
 {
   const TemporaryFolder folder;
@@ -196,6 +214,16 @@ TEST (Folder, NamesWhatIsMissing)
                  "depth_scale: unknown");
   putImage (folder ("rgb/2.png"), cv::Mat (24, 32, CV_8UC3, 1.0));
   expectIoError (open, folder (""), "frames: 2 colour and 1 depth");
+}
+
+TEST (Folder, NamesImagesWithoutAPartner)
+{
+  const TemporaryFolder folder;
+  putFrame (folder ("color_1.png"), folder ("depth_1.png"), 1);
+  putFrame (folder ("color_2.png"), folder ("depth_3.png"), 2);
+  putText (folder ("camera.txt"), "30 30 15.5 11.5 32 24 1000\n");
+  expectIoError (
+      [&] { openDataset ("folder", folder ("")); }, "color_2.png", "depth_3.png");
 }
 
 /** An organized cloud of a wall at z metres, as text. */

@@ -78,7 +78,7 @@ TEST_F (Sintel, ReadsFramesCamerasAndTruth)
   EXPECT_EQ (agreement (truth.visible, made.successive_truth[1].visible), 1.0);
   EXPECT_TRUE (truth.scene_flow.empty());
   EXPECT_TRUE (sequence->truth (0, 2).flow.empty());
-  EXPECT_TRUE (sequence->truth (2, 3).flow.empty());
+  EXPECT_THROW (sequence->truth (2, 3), InvalidInput);
 }
 
 TEST_F (Sintel, ChoosesTheRendering)
@@ -92,6 +92,14 @@ TEST_F (Sintel, ChoosesTheRendering)
   EXPECT_EQ (final->frame (0).color.at<cv::Vec3b> (3, 4)[0], 7);
   const auto by_path = openDataset ("sintel", top_ + "/training/final/alley_1/");
   EXPECT_EQ (by_path.front()->frames(), 1);
+}
+
+TEST_F (Sintel, HasNoTruthAcrossAGap)
+{
+  std::filesystem::remove (file ("clean", "frame_0002.png"));
+  const auto sequence = openDataset ("sintel", top_).front();
+  ASSERT_EQ (sequence->frames(), 2);
+  EXPECT_TRUE (sequence->truth (0, 1).flow.empty());
 }
 
 TEST_F (Sintel, NamesWhatIsDamaged)
@@ -210,6 +218,20 @@ TEST (VirtualKitti2, ReadsFramesPosesAndSceneFlow)
     EXPECT_GT (agreement (truth.visible, exact.visible), 0.97);
     EXPECT_TRUE (sequences[0]->truth (2, 1).flow.empty());
   }
+}
+
+TEST (VirtualKitti2, CountsFramesByTheirNames)
+{
+  const TemporaryFolder folder;
+  const SyntheticSequence& made = smallSequence();
+  writeVirtualKitti2 (made, folder (""), false);
+  const std::string color = folder ("Scene01/clone/frames/rgb/Camera_0/rgb_00000.jpg");
+  std::filesystem::remove (color);
+  const auto sequence = openDataset ("vkitti2", folder ("")).front();
+  ASSERT_EQ (sequence->frames(), 2);
+  expectSame (sequence->frame (0).depth, made.frames[1].depth, 0.00501, 5000, true);
+  expectSamePose (sequence->cameraPose (1), made.frame0_from_framek[2]);
+  expectSame (sequence->truth (0, 1).flow, made.successive_truth[1].flow, 0.002, 5000);
 }
 
 TEST (VirtualKitti2, NamesWhatIsDamaged)

@@ -37,8 +37,7 @@ public:
   frame (int k) const override
   {
     if (k < 0 || k >= frames())
-      throw InvalidInput (name_ + ": frame " + std::to_string (k) + ": there are " +
-                          std::to_string (frames()) + " frames, from 0 on");
+      throw InvalidInput (noSuchFrame (name_, k, frames()));
     const std::string& file = files_[static_cast<std::size_t> (k)];
     RgbdImages images = readCloudImages (file, camera());
     requireSize (file, images.depth, choice_.size);

@@ -9,7 +9,6 @@
 #include "io/datasets/listed_sequence.h"
 #include "io/datasets/truth_parts.h"
 
-#include <cstdlib>
 #include <filesystem>
 #include <utility>
 
@@ -41,14 +40,15 @@ public:
   MotionTruth
   truth (int from, int to) const override
   {
-    if (std::abs (from - to) != 1)
+    const bool future = follows (from, to);
+    if (!future && !follows (to, from))
       return {};
     MotionTruth truth;
     const FrameFiles& first = files (from);
     const FrameFiles& second = files (to);
     const std::string stem = std::filesystem::path (first.color).stem().string();
-    const std::string flow = place_.flow (stem, to > from);
-    const std::string change = place_.disparityChange (stem, to > from);
+    const std::string flow = place_.flow (stem, future);
+    const std::string change = place_.disparityChange (stem, future);
     const cv::Mat disparity = readDisparity (first.depth);
     if (isFile (flow)) {
       truth.flow = readFlyingThingsFlow (flow);
@@ -92,9 +92,10 @@ openOne (const FlyingThingsPlace& place,
     const std::string stem = std::filesystem::path (image).stem().string();
     FrameFiles frame;
     frame.color = image;
+    frame.number = trailingNumber (image);
     frame.depth = place.disparity (stem);
     frame.camera = options.camera.value_or (publishedCamera (place.sequence));
-    const auto pose = poses.find (std::atoi (stem.c_str()));
+    const auto pose = poses.find (frame.number);
     if (pose != poses.end())
       frame.world_from_camera = pose->second;
     files.push_back (frame);

@@ -4,7 +4,9 @@
 #include "io/datasets/file_lists.h"
 #include "io/datasets/frame_parts.h"
 #include "io/datasets/listed_sequence.h"
+#include "io/datasets/timed_lists.h"
 #include "io/input_file.h"
+#include "io/number_text.h"
 #include <pcl_msf/errors.h>
 
 #include <algorithm>
@@ -81,16 +83,72 @@ isInteger (const std::string& depth_file)
   return extension == ".png" || extension == ".pgm";
 }
 
+/** Digits of a name, to tell which images belong together. */
+std::string
+digitsOf (const std::string& path)
+{
+  std::string digits;
+  for (const char c : lastName (path))
+    if (std::isdigit (static_cast<unsigned char> (c)) != 0)
+      digits.push_back (c);
+  return digits;
+}
+
+/** Files whose names are times in seconds with a point, as of "1311868164.363.png";
+ * nothing when one of the names is none. */
+std::vector<TimedFile>
+timedByName (const Names& files)
+{
+  std::vector<TimedFile> list;
+  for (const std::string& file : files) {
+    const std::string stem = std::filesystem::path (file).stem().string();
+    double time = 0.0;
+    if (stem.find ('.') == std::string::npos || !parseNumber (stem, time))
+      return {};
+    list.push_back ({time, file});
+  }
+  return list;
+}
+
+/** Pairs by the times in their names or else by their order. */
+std::vector<FrameFiles>
+pairUp (const std::string& folder, const FolderFiles& found, double max_difference)
+{
+  std::vector<FrameFiles> frames;
+  const auto color = timedByName (found.color), depth = timedByName (found.depth);
+  if (!color.empty() && !depth.empty()) {
+    for (const auto& [c, d] : associate (color, depth, max_difference))
+      frames.push_back ({color[c].file, depth[d].file, {}, color[c].time, {}, -1});
+    if (frames.empty())
+      throw IoError (folder + ": frames: no colour and depth image are within " +
+                     std::to_string (max_difference) +
+                     " s by their names; allow a larger difference");
+    return frames;
+  }
+  if (!found.color.empty() && found.color.size() != found.depth.size())
+    throw IoError (folder + ": frames: " + std::to_string (found.color.size()) +
+                   " colour and " + std::to_string (found.depth.size()) +
+                   " depth images do not pair up; remove those without a partner");
+  for (std::size_t k = 0; k < found.depth.size(); ++k) {
+    FrameFiles frame;
+    frame.color = found.color.empty() ? std::string() : found.color[k];
+    frame.depth = found.depth[k];
+    const bool together = parentFolder (frame.color) == parentFolder (frame.depth);
+    if (together && digitsOf (frame.color) != digitsOf (frame.depth))
+      throw IoError (frame.color + ": frames: its number is not that of " +
+                     lastName (frame.depth) + "; remove what has no partner");
+    frames.push_back (frame);
+  }
+  return frames;
+}
+
 std::shared_ptr<const RgbdSequence>
 openOne (const std::string& name,
          const std::string& folder,
          const DatasetOptions& options)
 {
   const FolderFiles found = listFiles (folder);
-  if (!found.color.empty() && found.color.size() != found.depth.size())
-    throw IoError (folder + ": frames: " + std::to_string (found.color.size()) +
-                   " colour and " + std::to_string (found.depth.size()) +
-                   " depth images do not pair up; remove those without a partner");
+  std::vector<FrameFiles> frames = pairUp (folder, found, options.max_time_difference);
   const CameraChoice choice = chooseCamera (folder, options, {});
   if (choice.camera.fx <= 0.0)
     throw IoError (inside (folder, "camera.txt") +
@@ -98,16 +156,11 @@ openOne (const std::string& name,
   if (choice.depth_scale <= 0.0 && isInteger (found.depth.front()))
     throw IoError (inside (folder, "camera.txt") +
                    ": depth_scale: unknown; write the file or give the depth scale");
-  std::vector<FrameFiles> files;
-  for (std::size_t k = 0; k < found.depth.size(); ++k) {
-    FrameFiles frame;
-    frame.color = found.color.empty() ? std::string() : found.color[k];
-    frame.depth = found.depth[k];
+  for (FrameFiles& frame : frames)
     frame.camera = choice.camera;
-    files.push_back (frame);
-  }
   const double scale = choice.depth_scale > 0.0 ? choice.depth_scale : 1.0;
-  return std::make_shared<ListedSequence> (name, std::move (files), scale, choice.size);
+  return std::make_shared<ListedSequence> (
+      name, std::move (frames), scale, choice.size);
 }
 
 } // namespace

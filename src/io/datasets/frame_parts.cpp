@@ -25,6 +25,13 @@ sizeText (const cv::Size& size)
 
 } // namespace
 
+std::string
+noSuchFrame (const std::string& sequence, int frame, int frames)
+{
+  return sequence + ": frame " + std::to_string (frame) + ": there are " +
+         std::to_string (frames) + " frames, from 0 on";
+}
+
 void
 requireSize (const std::string& path, const cv::Mat& image, const cv::Size& size)
 {

@@ -10,6 +10,10 @@
 
 namespace pcl_msf::io {
 
+/** \brief What to say about a frame that a sequence does not have. */
+std::string
+noSuchFrame (const std::string& sequence, int frame, int frames);
+
 /** \brief \throws IoError naming the file and both sizes unless the image has the size
  * that is expected; an empty size expects nothing */
 void

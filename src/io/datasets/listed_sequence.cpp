@@ -63,9 +63,14 @@ const FrameFiles&
 ListedSequence::files (int k) const
 {
   if (k < 0 || k >= frames())
-    throw InvalidInput (name_ + ": frame " + std::to_string (k) + ": there are " +
-                        std::to_string (frames()) + " frames, from 0 on");
+    throw InvalidInput (noSuchFrame (name_, k, frames()));
   return files_[static_cast<std::size_t> (k)];
+}
+
+bool
+ListedSequence::follows (int from, int to) const
+{
+  return files (to).number == files (from).number + 1;
 }
 
 cv::Size

@@ -20,6 +20,7 @@ struct FrameFiles {
   PinholeCamera camera;
   double timestamp{std::numeric_limits<double>::quiet_NaN()}; ///< seconds
   std::optional<RigidPose> world_from_camera;
+  int number{-1}; ///< in the data set's names: truth leads from one to the next
 };
 
 /** \brief A sequence whose frames are a colour and a depth file each. */
@@ -55,6 +56,10 @@ protected:
   /** \throws InvalidInput for a frame that there is not */
   const FrameFiles&
   files (int k) const;
+
+  /** \brief Is `to` the next recorded frame after `from`, without a gap? */
+  bool
+  follows (int from, int to) const;
 
   /** \brief Size of frame k's images. */
   cv::Size

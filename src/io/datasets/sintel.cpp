@@ -42,7 +42,7 @@ public:
     MotionTruth truth;
     const std::string stem = std::filesystem::path (files (from).color).stem().string();
     const std::string flow = place_.file ("flow", stem + ".flo");
-    if (to != from + 1 || !isFile (flow))
+    if (!follows (from, to) || !isFile (flow))
       return truth;
     truth.flow = readFlow (flow);
     requireSize (flow, truth.flow, imageSize (from));
@@ -76,6 +76,7 @@ openOne (const std::string& name,
     const std::string stem = std::filesystem::path (image).stem().string();
     FrameFiles frame;
     frame.color = image;
+    frame.number = trailingNumber (image);
     frame.depth = place.file ("depth", stem + ".dpt");
     if (has_cameras || !options.camera) {
       RigidPose camera_from_world;

@@ -22,7 +22,7 @@ sceneFlowFrom (const cv::Mat& depth,
                const PinholeCamera& later_camera);
 
 /** \brief Which points are seen in the second frame, too: their pixel lies in the image
- * and their depth, within 1 %, between those of the four pixels around it.
+ * and their depth, within 1 %, between those of the pixels around it (up to four).
  *
  * \param flow CV_32FC2, pixels \param later_depth CV_32FC1 as in sceneFlowFrom
  * \param second_depth CV_32FC1, metres, of the second frame at its own pixels

@@ -28,7 +28,7 @@ public:
   {
     MotionTruth truth;
     const std::string flow = inOtherArchive (files (from).color, "rgb", "flowgt");
-    if (to != from + 1 || !isFile (flow))
+    if (!follows (from, to) || !isFile (flow))
       return truth;
     truth.flow = readVirtualKittiFlow (flow);
     requireSize (flow, truth.flow, imageSize (from));
@@ -69,9 +69,10 @@ openOne (const std::string& folder, const DatasetOptions& options)
   for (const std::string& color : filesIn (folder, {".png", ".jpg"})) {
     FrameFiles frame;
     frame.color = color;
+    frame.number = trailingNumber (color);
     frame.depth = inOtherArchive (color, "rgb", "depthgt");
     frame.camera = options.camera.value_or (kCamera);
-    const auto pose = poses.find (static_cast<int> (files.size()));
+    const auto pose = poses.find (frame.number);
     if (pose != poses.end())
       frame.world_from_camera = pose->second.inverse();
     files.push_back (frame);

@@ -49,9 +49,9 @@ public:
   MotionTruth
   truth (int from, int to) const override
   {
-    if (to == from + 1)
+    if (follows (from, to))
       return read ("forwardFlow/flow_", "forwardSceneFlow/sceneFlow_", from, to);
-    if (to == from - 1)
+    if (follows (to, from))
       return read ("backwardFlow/backwardFlow_",
                    "backwardSceneFlow/backwardSceneFlow_",
                    from,
@@ -83,8 +83,8 @@ private:
         int to) const
   {
     MotionTruth truth;
-    const std::string flow = truthFile (flow_stem, from);
-    const std::string scene_flow = truthFile (scene_flow_stem, from);
+    const std::string flow = truthFile (flow_stem, files (from).number);
+    const std::string scene_flow = truthFile (scene_flow_stem, files (from).number);
     const cv::Mat first = depth (files (from));
     if (isFile (flow)) {
       truth.flow = readVirtualKittiFlow (flow);
@@ -151,9 +151,10 @@ openOne (const Place& place, const DatasetOptions& options)
     poses = readExtrinsics (place.table ("extrinsic.txt"), camera);
   std::vector<FrameFiles> files;
   for (const std::string& color : filesIn (place.images ("rgb"), {".jpg", ".png"})) {
-    const int k = static_cast<int> (files.size());
     FrameFiles frame;
     frame.color = color;
+    frame.number = trailingNumber (color);
+    const int k = frame.number;
     frame.depth = inside (place.images ("depth"), "depth_" + padded (k, 5) + ".png");
     if (!options.camera && cameras.count (k) == 0)
       throw IoError (place.table ("intrinsic.txt") + ": frame: none for frame " +
