@@ -4,7 +4,8 @@
 #include "io/datasets/file_lists.h"
 #include "io/datasets/truth_parts.h"
 #include "support/compare_images.h"
-#include "support/dataset_writers.h"
+#include "support/format_bytes.h"
+#include "support/small_sequence.h"
 #include <pcl_msf/io/datasets.h>
 #include <pcl_msf/synthetic/sequence_writer.h>
 

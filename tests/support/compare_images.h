@@ -6,7 +6,11 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/rigid_pose.h>
+
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace pcl_msf::testing {
 
@@ -40,6 +44,23 @@ expectSame (const cv::Mat& actual,
   EXPECT_EQ (differing, 0) << "values known in one image only";
   EXPECT_GT (compared, least);
   EXPECT_LE (worst, tolerance);
+}
+
+/** \brief Two 8-bit images are the same. */
+inline void
+expectSameColor (const cv::Mat& actual, const cv::Mat& expected)
+{
+  ASSERT_EQ (actual.type(), expected.type());
+  EXPECT_EQ (cv::norm (actual, expected, cv::NORM_INF), 0.0);
+}
+
+/** \brief Two poses agree to 1e-5 in every parameter. */
+inline void
+expectSamePose (const std::optional<RigidPose>& actual, const RigidPose& expected)
+{
+  ASSERT_TRUE (actual);
+  for (int i = 0; i < 6; ++i)
+    EXPECT_NEAR (actual->parameters[i], expected.parameters[i], 1e-5);
 }
 
 /** \brief Share of pixels whose masks agree. */
