@@ -123,6 +123,10 @@ TEST (VirtualKitti2, NamesWhatIsDamaged)
   expectIoError ([&] { open()->truth (0, 1); }, "sceneFlow_00000.png", "scene flow");
   std::filesystem::remove (frames + "/depth/Camera_0/depth_00001.png");
   expectIoError ([&] { open()->frame (1); }, "depth_00001.png", "no such file");
+  const std::string color = frames + "/rgb/Camera_0/rgb_00000.jpg";
+  const std::string bytes = readFile (color);
+  putText (color, bytes.substr (0, bytes.size() / 2));
+  expectIoError ([&] { open()->frame (0); }, "rgb_00000.jpg", "colour");
   const std::string intrinsic = folder ("Scene01/clone/intrinsic.txt");
   putText (intrinsic, "frame cameraID K[0,0] K[1,1] K[0,2] K[1,2]\n0 0 80 80 48\n");
   expectIoError (open, "intrinsic.txt: line 2", "K[1,2]: missing");
