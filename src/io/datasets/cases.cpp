@@ -3,6 +3,8 @@
 #include "io/datasets/body_poses.h"
 #include "io/datasets/dataset_kinds.h"
 #include "io/datasets/file_lists.h"
+#include "io/datasets/frame_parts.h"
+#include <pcl_msf/errors.h>
 #include <pcl_msf/io/cloud_files.h>
 #include <pcl_msf/io/data_folder.h>
 #include <pcl_msf/io/images.h>
@@ -36,6 +38,7 @@ public:
   RgbdImages
   frame (int k) const override
   {
+    requireFrame (k);
     RgbdImages images = folder_.frame (k, options_.depth_scale);
     if (options_.camera)
       images.camera = *options_.camera;
@@ -45,6 +48,8 @@ public:
   MotionTruth
   truth (int from, int to) const override
   {
+    requireFrame (from);
+    requireFrame (to);
     MotionTruth truth;
     truth.labels = folder_.labels (from);
     if (from == 0 && to != 0) {
@@ -65,11 +70,19 @@ public:
   std::optional<RigidPose>
   cameraPose (int k) const override
   {
+    requireFrame (k);
     const auto pose = poseOf (k);
     return pose ? std::optional (pose->inverse()) : std::nullopt;
   }
 
 private:
+  void
+  requireFrame (int k) const
+  {
+    if (k < 0 || k >= frames())
+      throw InvalidInput (noSuchFrame (name_, k, frames()));
+  }
+
   /** Of the static scene, frame k from frame 0; of frame 0 when any other has one. */
   std::optional<RigidPose>
   poseOf (int k) const

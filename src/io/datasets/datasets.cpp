@@ -14,14 +14,31 @@ namespace pcl_msf::io {
 
 namespace {
 
+/** When "auto" asks whether a path holds a kind. */
+enum class Guess {
+  First, ///< it has marks of its own
+  Last,  ///< other kinds may look like it, too
+  Never  ///< it is another name of one of these
+};
+
 struct Kind {
   const char* name;
   Sequences (*open) (const std::string& path, const DatasetOptions& options);
-  bool general; ///< any recording may look like this; others are asked first
+  Guess guess;
 };
 
 constexpr std::array kKinds{
-    Kind{"cases", openCases, false},
+    Kind{"cases", openCases, Guess::First},
+    Kind{"tum", openTum, Guess::First},
+    Kind{"sintel", openSintel, Guess::First},
+    Kind{"vkitti1", openVirtualKitti1, Guess::First},
+    Kind{"vkitti2", openVirtualKitti2, Guess::First},
+    Kind{"flyingthings", openFlyingThings, Guess::First},
+    Kind{"kitti2015", openKitti2015, Guess::First},
+    Kind{"middlebury", openMiddlebury, Guess::First},
+    Kind{"folder", openFolder, Guess::Last},
+    Kind{"bonn", openFolder, Guess::Never},
+    Kind{"pcd", openClouds, Guess::Last},
 };
 
 std::string
@@ -43,8 +60,8 @@ checkOptions (const DatasetOptions& options)
     throw InvalidInput ("pass: '" + options.pass + "'; choose clean or final");
   if (options.view != "left" && options.view != "right")
     throw InvalidInput ("view: '" + options.view + "'; choose left or right");
-  if (!(options.max_time_difference >= 0.0))
-    throw InvalidInput ("max_time_difference: must be >= 0, in seconds");
+  if (!(options.max_time_difference > 0.0))
+    throw InvalidInput ("max_time_difference: must be > 0, in seconds");
 }
 
 /** What a kind finds, or the error that says that it is there and damaged. */
@@ -55,11 +72,11 @@ struct Finding {
 };
 
 std::vector<Finding>
-findAll (const std::string& path, const DatasetOptions& options, bool general)
+findAll (const std::string& path, const DatasetOptions& options, Guess guess)
 {
   std::vector<Finding> findings;
   for (const Kind& kind : kKinds) {
-    if (kind.general != general)
+    if (kind.guess != guess)
       continue;
     Finding finding{&kind, {}, nullptr};
     try {
@@ -77,9 +94,9 @@ findAll (const std::string& path, const DatasetOptions& options, bool general)
 Sequences
 openAny (const std::string& path, const DatasetOptions& options)
 {
-  std::vector<Finding> findings = findAll (path, options, false);
+  std::vector<Finding> findings = findAll (path, options, Guess::First);
   if (findings.empty())
-    findings = findAll (path, options, true);
+    findings = findAll (path, options, Guess::Last);
   if (findings.empty())
     throw IoError (path +
                    ": kind: no data set known here is below this folder; the "
@@ -112,7 +129,7 @@ datasetKinds ()
 
 Sequences
 openDataset (const std::string& kind,
-             const std::string& path,
+             const std::string& given_path,
              const DatasetOptions& options)
 {
   checkOptions (options);
@@ -122,8 +139,11 @@ openDataset (const std::string& kind,
       chosen = &known;
   if (!chosen && kind != "auto")
     throw InvalidInput ("data set kind: '" + kind + "'; choose one of " + allNames());
-  if (!isFolder (path))
-    throw IoError (path + ": path: no such folder; check the path");
+  if (!isFolder (given_path))
+    throw IoError (given_path + ": path: no such folder; check the path");
+  // Some kinds are known by the names of folders above.
+  const std::string path =
+      std::filesystem::absolute (given_path).lexically_normal().string();
   if (!chosen)
     return openAny (path, options);
   Sequences sequences = chosen->open (path, options);

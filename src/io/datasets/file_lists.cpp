@@ -3,6 +3,7 @@
 #include "io/datasets/file_lists.h"
 
 #include "io/input_file.h"
+#include "io/number_text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -118,6 +119,17 @@ padded (int number, int digits)
   const std::string text = std::to_string (number);
   const auto missing = std::max<int> (0, digits - static_cast<int> (text.size()));
   return std::string (static_cast<std::size_t> (missing), '0') + text;
+}
+
+int
+trailingNumber (const std::string& path)
+{
+  const std::string stem = fs::path (path).stem().string();
+  std::size_t begin = stem.size();
+  while (begin > 0 && isDigit (stem[begin - 1]))
+    --begin;
+  int number = -1;
+  return parseNumber (std::string_view (stem).substr (begin), number) ? number : -1;
 }
 
 std::vector<std::string>

@@ -34,6 +34,10 @@ parentFolder (const std::string& path);
 std::string
 padded (int number, int digits);
 
+/** \brief The number at the end of a file's name before its extension; -1 without. */
+int
+trailingNumber (const std::string& path);
+
 /** \brief Paths of the files in a folder whose lower-case extension is among those
  * given, in natural order; none when there is no such folder. */
 std::vector<std::string>
