@@ -27,6 +27,19 @@ TEST (Tables, BestIsBoldAndAveragesStandBelow)
   EXPECT_THAT (text, HasSubstr ("| mean    |     0.625 |     0.625 |"));
 }
 
+TEST (Tables, ManyPairsAreShownBySequence)
+{
+  std::vector<Row> rows;
+  for (std::size_t pair = 0; pair < 80; ++pair)
+    rows.push_back (makeRow (pair, "a", pair < 40 ? 1.0 : 3.0 + (pair % 2)));
+  for (Row& row : rows)
+    row.sequence = row.pair < 40 ? "first" : "second";
+  const std::string text = allTables (rows);
+  EXPECT_THAT (text, HasSubstr ("| first  | **1.000** |"));
+  EXPECT_THAT (text, HasSubstr ("| second | **3.500** |"));
+  EXPECT_LT (text.size(), 2000u);
+}
+
 TEST (Tables, ThePapersSintelFiguresStandBesideOurs)
 {
   std::vector<Row> rows{makeRow (0, "msf", 0.5), makeRow (1, "rigid", 0.25)};

@@ -119,11 +119,12 @@ addRunColumns (Columns& c)
   c.push_back ({"sec_start", "flow and proposals, s", &Score::sec_start, 3, true});
   c.push_back ({"sec_solve", "optimization, s", &Score::sec_solve, 3, true});
   c.push_back ({"sec_result", "dense result, s", &Score::sec_result, 3, true});
-  c.push_back ({"peak_mb",
-                "peak resident memory of the process during the run, MB",
-                &Score::peak_mb,
-                0,
-                true});
+  c.push_back (
+      {"peak_mb",
+       "peak resident memory during the run, MB, with what methods before it left",
+       &Score::peak_mb,
+       0,
+       true});
 }
 
 Columns

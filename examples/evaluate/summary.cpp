@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "summary.h"
 
+#include <pcl_msf/evaluation/flow_errors.h>
 #include <pcl_msf/evaluation/trajectory_errors.h>
 
 #include <algorithm>
@@ -83,6 +84,24 @@ valuesOf (const std::vector<Row>& rows,
         std::isfinite (row.score.*value))
       values.push_back (row.score.*value);
   return values;
+}
+
+std::vector<Row>
+meansPerSequence (const std::vector<Row>& rows)
+{
+  std::vector<Row> means;
+  std::size_t number = 0;
+  for (const std::string& sequence : sequencesOf (rows)) {
+    for (const std::string& method : methodsOf (rows)) {
+      Row row{number, rows[0].dataset, sequence, 0, 0, method, {}};
+      for (const Column& c : columns())
+        row.score.*c.value =
+            evaluation::mean (valuesOf (rows, method, c.value, sequence));
+      means.push_back (std::move (row));
+    }
+    ++number;
+  }
+  return means;
 }
 
 std::vector<PathErrors>

@@ -25,6 +25,11 @@ valuesOf (const std::vector<Row>& rows,
           double Score::*value,
           const std::string& sequence = {});
 
+/** \brief One row per sequence and method with the means of its pairs' numbers; pairs
+ * are numbered by sequence. */
+std::vector<Row>
+meansPerSequence (const std::vector<Row>& rows);
+
 /** \brief The camera's path over successive pairs of a sequence. */
 struct PathErrors {
   std::string sequence;

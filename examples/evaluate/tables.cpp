@@ -9,11 +9,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace pcl_msf::tool {
 
 namespace {
+
+constexpr std::size_t kMostLines = 60; // then sequences in place of pairs
 
 /** Names of pairs: the sequence, with frames unless it has this pair only. */
 std::map<std::size_t, std::string>
@@ -38,6 +41,25 @@ struct Shown {
   double scale; ///< multiplies what is printed, e.g. 1000 for m as mm
   int decimals;
 };
+
+constexpr Shown kWithTruth[] = {
+    {"Average end-point error, px, points seen in both frames", "epe_visible", 1.0, 3},
+    {"Average 3D end-point error, mm, points seen in both frames",
+     "epe3d_visible",
+     1000.0,
+     2}};
+constexpr Shown kWithoutTruth[] = {
+    {"Photometric residual, mean, grey levels of 255, where the first method that "
+     "reports visibility sees points",
+     "photo_mean",
+     1.0,
+     2},
+    {"Photometric residual, median, there", "photo_median", 1.0, 2},
+    {"Depth residual, median, mm, there (flow lifted by depth has none by "
+     "construction)",
+     "depth_median",
+     1000.0,
+     1}};
 
 /** A line per pair, a column per method, the least in bold; mean and median. */
 std::string
@@ -214,40 +236,25 @@ pathTable (const std::vector<Row>& rows)
 } // namespace
 
 std::string
-allTables (const std::vector<Row>& rows)
+allTables (const std::vector<Row>& all)
 {
-  const Shown with_truth[] = {
-      {"Average end-point error, px, points seen in both frames",
-       "epe_visible",
-       1.0,
-       3},
-      {"Average 3D end-point error, mm, points seen in both frames",
-       "epe3d_visible",
-       1000.0,
-       2}};
-  const Shown without[] = {
-      {"Photometric residual, mean, grey levels of 255, where the first method that "
-       "reports visibility sees points",
-       "photo_mean",
-       1.0,
-       2},
-      {"Photometric residual, median, there", "photo_median", 1.0, 2},
-      {"Depth residual, median, mm, there (flow lifted by depth has none by "
-       "construction)",
-       "depth_median",
-       1000.0,
-       1}};
-  std::string text;
-  for (const Shown& shown : with_truth)
+  std::set<std::size_t> pairs;
+  for (const Row& row : all)
+    pairs.insert (row.pair);
+  const bool brief = pairs.size() > kMostLines;
+  const std::vector<Row> rows = brief ? meansPerSequence (all) : all;
+  std::string text =
+      brief ? std::string ("Lines are means over a sequence's pairs.\n\n") : "";
+  for (const Shown& shown : kWithTruth)
     text += methodTable (rows, shown);
   const bool some_unknown = std::any_of (rows.begin(), rows.end(), [] (const Row& row) {
     return std::isnan (row.score.epe_visible);
   });
   if (some_unknown)
-    for (const Shown& shown : without)
+    for (const Shown& shown : kWithoutTruth)
       text += methodTable (rows, shown);
-  return text + detailTables (rows, methodsOf (rows).at (0)) + pathTable (rows) +
-         summaryTable (rows) + sintelTable (rows) + ablationTable (rows);
+  return text + detailTables (rows, methodsOf (rows).at (0)) + pathTable (all) +
+         summaryTable (all) + sintelTable (all) + ablationTable (all);
 }
 
 } // namespace pcl_msf::tool
