@@ -72,6 +72,21 @@ sequencesOf (const std::vector<Row>& rows)
   return distinct (rows, &Row::sequence);
 }
 
+std::map<std::size_t, std::string>
+pairNames (const std::vector<Row>& rows)
+{
+  std::map<std::size_t, std::string> names;
+  std::map<std::string, int> count;
+  for (const Row& row : rows)
+    if (names.emplace (row.pair, row.sequence).second)
+      ++count[row.sequence];
+  for (const Row& row : rows)
+    if (count[row.sequence] > 1)
+      names[row.pair] = row.sequence + " " + std::to_string (row.from) + "-" +
+                        std::to_string (row.to);
+  return names;
+}
+
 std::vector<double>
 valuesOf (const std::vector<Row>& rows,
           const std::string& method,

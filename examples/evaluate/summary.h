@@ -4,6 +4,8 @@
 
 #include "csv.h"
 
+#include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,11 @@ methodsOf (const std::vector<Row>& rows);
 /** \brief The sequences of the rows, in order of appearance. */
 std::vector<std::string>
 sequencesOf (const std::vector<Row>& rows);
+
+/** \brief Names of pairs by their number: the sequence, with the frames unless it has
+ * this pair only. */
+std::map<std::size_t, std::string>
+pairNames (const std::vector<Row>& rows);
 
 /** \brief A number of all rows of a method; unknown ones are left out.
  * \param sequence of these rows only; empty = of all */

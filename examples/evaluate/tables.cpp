@@ -18,22 +18,6 @@ namespace {
 
 constexpr std::size_t kMostLines = 60; // then sequences in place of pairs
 
-/** Names of pairs: the sequence, with frames unless it has this pair only. */
-std::map<std::size_t, std::string>
-pairNames (const std::vector<Row>& rows)
-{
-  std::map<std::size_t, std::string> names;
-  std::map<std::string, int> count;
-  for (const Row& row : rows)
-    if (names.emplace (row.pair, row.sequence).second)
-      ++count[row.sequence];
-  for (const Row& row : rows)
-    if (count[row.sequence] > 1)
-      names[row.pair] = row.sequence + " " + std::to_string (row.from) + "-" +
-                        std::to_string (row.to);
-  return names;
-}
-
 /** What a table of methods shows. */
 struct Shown {
   const char* title;
@@ -101,100 +85,6 @@ methodTable (const std::vector<Row>& rows, const Shown& shown)
   return std::string (shown.title) + "\n\n" + table.text() + "\n";
 }
 
-bool
-isKnown (const std::vector<Row>& rows, const std::string& method, const Column& c)
-{
-  return !valuesOf (rows, method, c.value).empty();
-}
-
-/** A line per pair, some numbers of one method that its rows have. */
-std::string
-detailTable (const std::vector<Row>& rows,
-             const std::string& method,
-             const std::string& title,
-             const std::vector<std::string>& wanted)
-{
-  std::vector<Column> shown;
-  TableText::Line head{"pair"};
-  for (const std::string& name : wanted)
-    if (isKnown (rows, method, column (name))) {
-      shown.push_back (column (name));
-      head.push_back (name);
-    }
-  TableText table (head);
-  std::map<std::size_t, std::string> names = pairNames (rows);
-  for (const Row& row : rows) {
-    const bool any = std::any_of (shown.begin(), shown.end(), [&] (const Column& c) {
-      return std::isfinite (row.score.*c.value);
-    });
-    if (row.method != method || !any)
-      continue;
-    TableText::Line line{names[row.pair]};
-    for (const Column& c : shown)
-      line.push_back (cell (row.score.*c.value, c.decimals));
-    table.add (line);
-  }
-  if (table.empty())
-    return {};
-  return title + ", " + method + "\n\n" + table.text() + "\n";
-}
-
-std::string
-detailTables (const std::vector<Row>& rows, const std::string& method)
-{
-  return detailTable (rows,
-                      method,
-                      "Flow, px",
-                      {"coverage",
-                       "epe_all",
-                       "epe_visible",
-                       "epe_occluded",
-                       "epe_median",
-                       "rms_visible",
-                       "aae_visible",
-                       "out_all",
-                       "out_visible",
-                       "out_occluded"}) +
-         detailTable (rows,
-                      method,
-                      "Scene flow, m",
-                      {"epe3d_all",
-                       "epe3d_visible",
-                       "epe3d_occluded",
-                       "epe3d_median",
-                       "acc5_visible",
-                       "acc1_visible"}) +
-         detailTable (rows,
-                      method,
-                      "Segments and motions, deg and mm",
-                      {"segments",
-                       "groups",
-                       "ari",
-                       "purity",
-                       "segment_rot",
-                       "segment_trans",
-                       "segment_rot_median",
-                       "segment_trans_median",
-                       "ego_rot",
-                       "ego_trans"}) +
-         detailTable (rows,
-                      method,
-                      "Residuals, grey levels and m; time, s; memory, MB",
-                      {"seen",
-                       "photo_mean",
-                       "photo_median",
-                       "depth_mean",
-                       "depth_median",
-                       "depth_sigmas",
-                       "sec",
-                       "sec_frame",
-                       "sec_segment",
-                       "sec_start",
-                       "sec_solve",
-                       "sec_result",
-                       "peak_mb"});
-}
-
 /** A line per number, a column per method, means over the pairs. */
 std::string
 summaryTable (const std::vector<Row>& rows)
@@ -209,7 +99,7 @@ summaryTable (const std::vector<Row>& rows)
       line.push_back (
           cell (evaluation::mean (valuesOf (rows, method, c.value)), c.decimals));
     if (std::any_of (methods.begin(), methods.end(), [&] (const std::string& m) {
-          return isKnown (rows, m, c);
+          return !valuesOf (rows, m, c.value).empty();
         }))
       table.add (line);
   }

@@ -13,6 +13,11 @@ namespace pcl_msf::tool {
 std::string
 allTables (const std::vector<Row>& rows);
 
+/** \brief Everything about one method, a line per pair: flow, scene flow, motions,
+ * residuals and times. */
+std::string
+detailTables (const std::vector<Row>& rows, const std::string& method);
+
 /** \brief The end-point errors that the method's paper reports for MPI-Sintel (its
  * Table 1 and section 4.1), beside ours; empty without any of these sequences. */
 std::string
