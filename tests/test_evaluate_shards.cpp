@@ -47,6 +47,15 @@ TEST_F (Launchers, SlurmArraysBeginWhereTheyLike)
   EXPECT_EQ (parseShard ("auto").text(), "3/4");
 }
 
+TEST_F (Launchers, SlurmArraysMayHaveSteps)
+{
+  set ("SLURM_ARRAY_TASK_ID", "25");
+  set ("SLURM_ARRAY_TASK_MIN", "5");
+  set ("SLURM_ARRAY_TASK_STEP", "10");
+  set ("SLURM_ARRAY_TASK_COUNT", "3");
+  EXPECT_EQ (parseShard ("auto").text(), "3/3");
+}
+
 TEST_F (Launchers, MpiRanksCountFromZero)
 {
   set ("PMI_RANK", "0");

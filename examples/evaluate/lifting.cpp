@@ -34,6 +34,7 @@ void
 liftByDepth (const PairData& pair, Estimate& estimate)
 {
   const cv::Mat points = pointsOf (pair.reference);
+  estimate.lifted = true;
   estimate.displacement = cv::Mat (points.size(), CV_32FC3, cv::Scalar::all (kNan));
   for (int y = 0; y < points.rows; ++y)
     for (int x = 0; x < points.cols; ++x) {

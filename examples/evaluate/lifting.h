@@ -12,7 +12,7 @@ pointsOf (const io::RgbdImages& images);
 
 /** \brief Gives an optical flow its third dimension: each point goes to where the
  * current frame has depth at its target; where it has none, z stays as it was.
- * Sets `displacement` from `flow`. */
+ * Sets `displacement` from `flow`, and `lifted`. */
 void
 liftByDepth (const PairData& pair, Estimate& estimate);
 

@@ -33,6 +33,7 @@ struct StageSeconds {
 struct Estimate {
   cv::Mat flow;         ///< CV_32FC2, pixels; NaN = unknown
   cv::Mat displacement; ///< CV_32FC3, metres; NaN = unknown
+  bool lifted{false};   ///< z is the current depth: no depth residual by construction
   cv::Mat visible;      ///< CV_8UC1, 255 = reported visible; empty = no report
   std::optional<RigidPose> dominant;   ///< current_from_reference
   std::optional<SceneFlow> scene_flow; ///< of our own method

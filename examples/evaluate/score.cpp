@@ -100,7 +100,10 @@ addResidualColumns (Columns& c)
                 &Score::photo_mean,
                 2});
   c.push_back ({"photo_median", "its median", &Score::photo_median, 2});
-  c.push_back ({"depth_mean", "depth residual, m, there", &Score::depth_mean, 4});
+  c.push_back ({"depth_mean",
+                "depth residual, m, there; none for flow lifted by depth",
+                &Score::depth_mean,
+                4});
   c.push_back ({"depth_median", "its median, m", &Score::depth_median, 4});
   c.push_back ({"depth_sigmas",
                 "median in standard deviations of the sensor's noise",

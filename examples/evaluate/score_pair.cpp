@@ -139,6 +139,8 @@ PairScorer::scoreResiduals (const Estimate& estimate,
     s.photo_mean = there.mean;
     s.photo_median = there.median;
   }
+  if (estimate.lifted)
+    return;
   const auto depth = evaluation::depthResiduals (points_,
                                                  estimate.displacement,
                                                  pair_.current.depth,

@@ -5,6 +5,7 @@
 #include "scene_flow/option_values.h"
 #include "scene_flow/options.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <optional>
 
@@ -35,7 +36,8 @@ std::optional<Place>
 placeFromLauncher ()
 {
   if (const auto id = variable ("SLURM_ARRAY_TASK_ID"))
-    return Place{*id - variable ("SLURM_ARRAY_TASK_MIN").value_or (0),
+    return Place{(*id - variable ("SLURM_ARRAY_TASK_MIN").value_or (0)) /
+                     std::max (1, variable ("SLURM_ARRAY_TASK_STEP").value_or (1)),
                  variable ("SLURM_ARRAY_TASK_COUNT")};
   if (const auto rank = variable ("OMPI_COMM_WORLD_RANK"))
     return Place{*rank, variable ("OMPI_COMM_WORLD_SIZE")};

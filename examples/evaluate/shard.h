@@ -24,7 +24,8 @@ struct Shard {
 };
 
 /** \brief Reads "I/N", or "auto": from the variables of the launcher, Slurm arrays
- * (SLURM_ARRAY_TASK_ID, _MIN, _COUNT), Open MPI (OMPI_COMM_WORLD_RANK, _SIZE), other
+ * (SLURM_ARRAY_TASK_ID, _MIN, _STEP,
+ * _COUNT), Open MPI (OMPI_COMM_WORLD_RANK, _SIZE), other
  * MPIs (PMI_RANK, PMI_SIZE); or "auto/N" for GNU parallel (PARALLEL_SEQ), which does
  * not tell N. \throws UsageError */
 Shard

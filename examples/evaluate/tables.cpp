@@ -39,8 +39,7 @@ constexpr Shown kWithoutTruth[] = {
      1.0,
      2},
     {"Photometric residual, median, there", "photo_median", 1.0, 2},
-    {"Depth residual, median, mm, there (flow lifted by depth has none by "
-     "construction)",
+    {"Depth residual, median, mm, there; flow lifted by depth has none",
      "depth_median",
      1000.0,
      1}};

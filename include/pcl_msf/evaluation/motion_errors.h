@@ -50,7 +50,8 @@ segmentErrors (const SceneFlow& estimate,
 
 /** \brief Adjusted Rand index of two partitions of pixels (Hubert and Arabie, Journal
  * of Classification 1985): 1 = the same partition, 0 = as good as chance. 1 when both
- * consist of one set or both of singletons.
+ * consist of one set or both of singletons; 0 when one of them is a single set and the
+ * other is not, however small its other sets are.
  * \param first, second CV_32SC1; pixels that are negative in either are left out
  * \return NaN when fewer than two pixels are left
  * \throws InvalidInput for other types or sizes that differ */
