@@ -8,6 +8,7 @@
 
 #include "io/input_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -62,6 +63,21 @@ checkPng (const InputFile& file, const Bytes& bytes, const std::string& field)
   }
 }
 
+bool
+isJpeg (const Bytes& bytes)
+{
+  return bytes.size() > 3 && bytes[0] == 0xFF && bytes[1] == 0xD8 && bytes[2] == 0xFF;
+}
+
+/** The decoder fills what is missing with grey. */
+void
+checkJpeg (const InputFile& file, const Bytes& bytes, const std::string& field)
+{
+  constexpr std::array<unsigned char, 2> kEnd{0xFF, 0xD9};
+  if (std::search (bytes.begin(), bytes.end(), kEnd.begin(), kEnd.end()) == bytes.end())
+    file.fail (field, "the JPEG has no end; the file is cut short");
+}
+
 } // namespace
 
 cv::Mat
@@ -74,6 +90,8 @@ decodeImage (const std::string& path, int flags, const std::string& field)
   file.read (bytes.data(), bytes.size(), field);
   if (isPng (bytes))
     checkPng (file, bytes, field);
+  if (isJpeg (bytes))
+    checkJpeg (file, bytes, field);
   cv::Mat image;
   try {
     image = cv::imdecode (bytes, flags | cv::IMREAD_IGNORE_ORIENTATION);
