@@ -59,6 +59,20 @@ TEST_F (Sintel, ReadsFramesCamerasAndTruth)
   EXPECT_THROW (sequence->truth (2, 3), InvalidInput);
 }
 
+TEST_F (Sintel, TakesBothMasksForHidden)
+{
+  for (const char* kind : {"occlusions", "invalid"}) {
+    cv::Mat mask (72, 96, CV_8UC1, cv::Scalar (0));
+    mask.at<unsigned char> (36, kind[0] == 'o' ? 40 : 50) = 255;
+    putImage (file (kind, "frame_0001.png"), mask);
+  }
+  const io::MotionTruth truth = openDataset ("sintel", top_).front()->truth (0, 1);
+  EXPECT_EQ (truth.visible.at<unsigned char> (36, 40), 0);
+  EXPECT_EQ (truth.visible.at<unsigned char> (36, 50), 0);
+  EXPECT_EQ (truth.visible.at<unsigned char> (36, 45), 255);
+  EXPECT_TRUE (std::isfinite (truth.flow.at<cv::Vec2f> (36, 50)[0]));
+}
+
 TEST_F (Sintel, ChoosesTheRendering)
 {
   io::DatasetOptions options;

@@ -78,6 +78,10 @@ TEST (Tum, AssociatesTheClosestFirstAndEachOnce)
   const std::vector<std::pair<std::size_t, std::size_t>> expected{{0, 0}, {1, 1}};
   EXPECT_EQ (io::associate (color, depth, 0.02), expected);
   EXPECT_EQ (io::associate (color, depth, 0.03).size(), 3u);
+  // The only depth image goes to the closer one, which is not the first.
+  const std::vector<io::TimedFile> single{{1.02, "p"}};
+  const std::vector<std::pair<std::size_t, std::size_t>> closest{{1, 0}};
+  EXPECT_EQ (io::associate (color, single, 0.03), closest);
   EXPECT_TRUE (io::associate (color, depth, 0.001).empty());
 }
 
