@@ -126,7 +126,7 @@ printColumns ()
 {
   using namespace pcl::console;
   print_info (
-      "\nColumns of the CSV, after dataset, sequence, from, to, method (empty = "
+      "\nColumns of the CSV, after pair, dataset, sequence, from, to, method (empty = "
       "unknown):\n");
   for (const Column& c : columns()) {
     print_value ("  %-22s", c.name.c_str());
