@@ -70,7 +70,9 @@ SceneFlowEstimator::estimateFrom (const RgbdFrame& reference,
                         " segments; give one each");
   for (const RigidPose& pose : start)
     requireSane (pose, "a start pose");
-  return TwoFrameSolve (reference, current, segments, energy_, solver_).runFrom (start);
+  TwoFrameSolve solve (reference, current, segments, energy_, solver_);
+  solve.startFrom (start);
+  return solve.run ({});
 }
 
 } // namespace pcl_msf

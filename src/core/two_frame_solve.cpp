@@ -62,22 +62,6 @@ TwoFrameSolve::run (const RigidPose& guess)
 {
   prepare();
   start (guess);
-  return descend();
-}
-
-SceneFlow
-TwoFrameSolve::runFrom (const std::vector<RigidPose>& poses)
-{
-  prepare();
-  LevelData level = startAt (poses);
-  lookAtFlow ({}, level);
-  return descend();
-}
-
-/** From the start to the result. */
-SceneFlow
-TwoFrameSolve::descend()
-{
   report_.start_seconds = monitor_.seconds();
   for (int level = std::min (kCoarsestLevel, levels_ - 1); level >= 0; --level)
     refine (level);
@@ -127,44 +111,36 @@ TwoFrameSolve::residualScale (const SegmentPixels& pixels) const
   return count / std::max (alpha + beta, 1e-12);
 }
 
-/** Takes the poses and returns the level at which starts are compared. */
-LevelData
-TwoFrameSolve::startAt (const std::vector<RigidPose>& poses)
-{
-  LevelData level = levelData (std::min (kStartLevel, levels_ - 1), false);
-  links_ = linkNearestCentroids (level.probes.centroid, energy_.neighbors);
-  state_ = MotionState::fromSegments (poses, links_.size());
-  return level;
-}
-
-/** What optical flow says about motions and exposure; nothing when not wanted. */
-FlowHypotheses
-TwoFrameSolve::lookAtFlow (const RigidPose& guess, LevelData& level)
-{
-  if (!solver_.flow_proposals || !reference_.hasIntensity())
-    return {};
-  FlowHypotheses flow = hypothesesFromFlow (estimateOpticalFlow (reference_, current_),
-                                            current_,
-                                            level.probes,
-                                            std::min (kStartLevel, levels_ - 1),
-                                            noise_,
-                                            guess,
-                                            threads_);
-  change_ = fitBrightnessChange (flow.pairs_reference, flow.pairs_current);
-  for (float& intensity : level.probes.intensity)
-    intensity = change_.gain * intensity + change_.offset;
-  return flow;
-}
-
 /** Poses worth descending from: the guess, rest, and what optical flow suggests. */
 void
 TwoFrameSolve::start (const RigidPose& guess)
 {
-  LevelData level = startAt (std::vector<RigidPose> (segments_.size(), guess));
-  const FlowHypotheses flow = lookAtFlow (guess, level);
+  const int at = std::min (kStartLevel, levels_ - 1);
+  LevelData level = levelData (at, false);
+  links_ = linkNearestCentroids (level.probes.centroid, energy_.neighbors);
+  state_ = MotionState::fromSegments (std::vector<RigidPose> (segments_.size(), guess),
+                                      links_.size());
   common_poses_ = {guess, RigidPose{}};
-  common_poses_.insert (common_poses_.end(), flow.bodies.begin(), flow.bodies.end());
-  propose (level, flow, kStartRounds);
+  FlowHypotheses flow;
+  if (solver_.flow_proposals && reference_.hasIntensity()) {
+    flow = hypothesesFromFlow (estimateOpticalFlow (reference_, current_),
+                               current_,
+                               level.probes,
+                               at,
+                               noise_,
+                               guess,
+                               threads_);
+    common_poses_.insert (common_poses_.end(), flow.bodies.begin(), flow.bodies.end());
+    change_ = fitBrightnessChange (flow.pairs_reference, flow.pairs_current);
+    for (float& intensity : level.probes.intensity)
+      intensity = change_.gain * intensity + change_.offset;
+  }
+  if (given_start_.empty())
+    propose (level, flow, kStartRounds);
+  else {
+    state_ = MotionState::fromSegments (given_start_, links_.size());
+    common_poses_.clear();
+  }
 }
 
 /** Lets segments jump to the common poses, their flow's and their neighbours'. */

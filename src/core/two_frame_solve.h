@@ -29,25 +29,22 @@ public:
                  const EnergyParameters& energy,
                  const SolverParameters& solver);
 
-  /** \brief Finds a start itself. \param guess one more to try, for all segments */
   SceneFlow
   run (const RigidPose& guess);
 
-  /** \brief Starts from a pose per segment. */
-  SceneFlow
-  runFrom (const std::vector<RigidPose>& poses);
+  /** \brief Has run () begin at these poses, one per segment, without looking for
+   * better ones; optical flow then tells the exposure alone. */
+  void
+  startFrom (const std::vector<RigidPose>& poses)
+  {
+    given_start_ = poses;
+  }
 
 private:
   void
   prepare ();
-  LevelData
-  startAt (const std::vector<RigidPose>& poses);
-  FlowHypotheses
-  lookAtFlow (const RigidPose& guess, LevelData& level);
   void
   start (const RigidPose& guess);
-  SceneFlow
-  descend ();
   void
   propose (const LevelData& level, const FlowHypotheses& flow, int rounds);
   void
@@ -77,6 +74,7 @@ private:
   std::vector<SegmentLink> links_;
   MotionState state_;
   std::vector<RigidPose> common_poses_; ///< that every segment may try
+  std::vector<RigidPose> given_start_;  ///< in place of a search; empty = search
   BrightnessChange change_;
   std::unique_ptr<LevelData> finest_;
   Report report_;
