@@ -13,7 +13,8 @@ pcl_msf_require (PCL libpcl-dev COMPONENTS common kdtree search)
 pcl_msf_require (Ceres libceres-dev)
 pcl_msf_require (OpenCV libopencv-dev COMPONENTS core imgproc video imgcodecs)
 pcl_msf_require (OpenMP g++ COMPONENTS CXX)
-find_package (OpenCV QUIET COMPONENTS core imgproc video imgcodecs ximgproc)
+find_package (OpenCV QUIET COMPONENTS core imgproc video imgcodecs ximgproc
+  OPTIONAL_COMPONENTS optflow)
 if (NOT OpenCV_ximgproc_FOUND AND NOT TARGET opencv_ximgproc)
   message (FATAL_ERROR
     "pcl_msf needs OpenCV's ximgproc: sudo apt-get install libopencv-contrib-dev")

@@ -7,6 +7,8 @@
 #include <pcl_msf/rgbd_frame.h>
 #include <pcl_msf/scene_flow.h>
 
+#include <vector>
+
 namespace pcl_msf {
 
 /** \brief Two-frame scene flow on images: the method of section 3 without PCL's types.
@@ -31,6 +33,16 @@ public:
             const RgbdFrame& current,
             const Oversegmentation& segments,
             const RigidPose& guess = {}) const;
+
+  /** \brief Minimizes Eq. 5 from given poses; optical flow serves only to fit the
+   * exposure.
+   * \param start a pose per segment, `current_from_reference`
+   * \throws InvalidInput as above, and for another number of poses than of segments */
+  SceneFlow
+  estimateFrom (const RgbdFrame& reference,
+                const RgbdFrame& current,
+                const Oversegmentation& segments,
+                const std::vector<RigidPose>& start) const;
 
 private:
   EnergyParameters energy_;

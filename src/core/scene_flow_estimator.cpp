@@ -5,6 +5,7 @@
 #include <pcl_msf/scene_flow_estimator.h>
 
 #include <cmath>
+#include <string>
 
 namespace pcl_msf {
 
@@ -15,8 +16,7 @@ requireUsable (const RgbdFrame& reference,
                const RgbdFrame& current,
                const Oversegmentation& segments,
                const EnergyParameters& energy,
-               const SolverParameters& solver,
-               const RigidPose& guess)
+               const SolverParameters& solver)
 {
   std::string why;
   if (!energy.isValid (&why))
@@ -32,11 +32,16 @@ requireUsable (const RgbdFrame& reference,
   if (segments.size() < 1 || segments.labels().cols != reference.width() ||
       segments.labels().rows != reference.height())
     throw InvalidInput ("the segmentation is not of the reference frame");
+}
+
+void
+requireSane (const RigidPose& pose, const char* name)
+{
   constexpr double kAbsurd = 1e6; // metres or radians; far below what overflows
-  for (const double parameter : guess.parameters)
+  for (const double parameter : pose.parameters)
     if (!(std::abs (parameter) <= kAbsurd))
-      throw InvalidInput ("the guess is not finite or absurdly large; give radians and "
-                          "metres");
+      throw InvalidInput (std::string (name) +
+                          " is not finite or absurdly large; give radians and metres");
 }
 
 } // namespace
@@ -47,8 +52,27 @@ SceneFlowEstimator::estimate (const RgbdFrame& reference,
                               const Oversegmentation& segments,
                               const RigidPose& guess) const
 {
-  requireUsable (reference, current, segments, energy_, solver_, guess);
+  requireUsable (reference, current, segments, energy_, solver_);
+  requireSane (guess, "the guess");
   return TwoFrameSolve (reference, current, segments, energy_, solver_).run (guess);
+}
+
+SceneFlow
+SceneFlowEstimator::estimateFrom (const RgbdFrame& reference,
+                                  const RgbdFrame& current,
+                                  const Oversegmentation& segments,
+                                  const std::vector<RigidPose>& start) const
+{
+  requireUsable (reference, current, segments, energy_, solver_);
+  if (start.size() != static_cast<std::size_t> (segments.size()))
+    throw InvalidInput ("there are " + std::to_string (start.size()) +
+                        " start poses for " + std::to_string (segments.size()) +
+                        " segments; give one each");
+  for (const RigidPose& pose : start)
+    requireSane (pose, "a start pose");
+  TwoFrameSolve solve (reference, current, segments, energy_, solver_);
+  solve.startFrom (start);
+  return solve.run ({});
 }
 
 } // namespace pcl_msf

@@ -135,7 +135,12 @@ TwoFrameSolve::start (const RigidPose& guess)
     for (float& intensity : level.probes.intensity)
       intensity = change_.gain * intensity + change_.offset;
   }
-  propose (level, flow, kStartRounds);
+  if (given_start_.empty())
+    propose (level, flow, kStartRounds);
+  else {
+    state_ = MotionState::fromSegments (given_start_, links_.size());
+    common_poses_.clear();
+  }
 }
 
 /** Lets segments jump to the common poses, their flow's and their neighbours'. */

@@ -32,6 +32,14 @@ public:
   SceneFlow
   run (const RigidPose& guess);
 
+  /** \brief Has run () begin at these poses, one per segment, without looking for
+   * better ones; optical flow then tells the exposure alone. */
+  void
+  startFrom (const std::vector<RigidPose>& poses)
+  {
+    given_start_ = poses;
+  }
+
 private:
   void
   prepare ();
@@ -66,6 +74,7 @@ private:
   std::vector<SegmentLink> links_;
   MotionState state_;
   std::vector<RigidPose> common_poses_; ///< that every segment may try
+  std::vector<RigidPose> given_start_;  ///< in place of a search; empty = search
   BrightnessChange change_;
   std::unique_ptr<LevelData> finest_;
   Report report_;

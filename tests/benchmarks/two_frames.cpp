@@ -4,12 +4,17 @@
 // Accuracy and time of two-frame scene flow on data folders, beside OpenCV's DIS
 // optical flow (medium). Prints a Markdown table.
 
-#include "scores.h"
+#include <opencv2/imgproc.hpp>
+#include <opencv2/video/tracking.hpp>
+
+#include <pcl_msf/evaluation/flow_errors.h>
+#include <pcl_msf/evaluation/residuals.h>
 #include <pcl_msf/io/data_folder.h>
 #include <pcl_msf/scene_flow_estimator.h>
 #include <sys/resource.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -56,8 +61,55 @@ estimate (const io::RgbdImages& reference,
         std::chrono::steady_clock::now() - start;
     times.push_back (spent.count());
   }
-  run.milliseconds = benchmark::median (times);
+  run.milliseconds = evaluation::median (times);
   return run;
+}
+
+struct Truth {
+  cv::Mat flow;
+  cv::Mat scene_flow;
+};
+
+cv::Mat
+gray (const cv::Mat& color)
+{
+  cv::Mat result = color;
+  if (color.channels() == 3)
+    cv::cvtColor (color, result, cv::COLOR_BGR2GRAY);
+  return result;
+}
+
+/** OpenCV's DIS optical flow, medium preset; empty without colour. */
+cv::Mat
+disFlow (const io::RgbdImages& reference, const io::RgbdImages& current)
+{
+  cv::Mat flow;
+  if (!reference.color.empty())
+    cv::DISOpticalFlow::create (cv::DISOpticalFlow::PRESET_MEDIUM)
+        ->calc (gray (reference.color), gray (current.color), flow);
+  return flow;
+}
+
+/** Photometric residuals divided by another flow's. */
+struct Ratios {
+  double mean{std::nan ("")};
+  double median{std::nan ("")};
+};
+
+Ratios
+ratios (const cv::Mat& flow,
+        const cv::Mat& other,
+        const io::RgbdImages& reference,
+        const io::RgbdImages& current,
+        const cv::Mat& mask)
+{
+  if (other.empty())
+    return {};
+  const auto own =
+      evaluation::photometricResiduals (flow, reference.color, current.color, mask);
+  const auto its =
+      evaluation::photometricResiduals (other, reference.color, current.color, mask);
+  return {own.mean / its.mean, own.median / its.median};
 }
 
 std::string
@@ -76,30 +128,24 @@ printRow (const std::string& path, int frame, int repetitions)
   const io::RgbdImages reference = folder.frame (0);
   const io::RgbdImages current = folder.frame (frame);
   const Run run = estimate (reference, current, repetitions);
-  const cv::Mat dis = benchmark::disFlow (reference, current);
-  const cv::Mat truth = folder.flow (frame);
-  const cv::Mat truth3d = folder.sceneFlow (frame);
-  const cv::Mat visible = folder.visible (frame);
-  const double nan = std::nan ("");
-  benchmark::Errors own{nan, nan}, other{nan, nan};
-  benchmark::Errors all{nan, nan}, seen{nan, nan}, dis_all{nan, nan},
-      dis_seen{nan, nan};
-  double own3d = nan;
-  if (!truth.empty()) {
-    own = benchmark::endPointErrors (run.flow.flow, truth, visible, reference.depth);
+  const cv::Mat dis = disFlow (reference, current);
+  const Truth truth{folder.flow (frame), folder.sceneFlow (frame)};
+  const cv::Mat all =
+      evaluation::scoredPoints (reference.depth, {}, evaluation::PointSet::All);
+  const cv::Mat seen = evaluation::scoredPoints (
+      reference.depth, folder.visible (frame), evaluation::PointSet::Visible);
+  const cv::Mat reported = run.flow.visibility == static_cast<int> (Visible);
+  evaluation::FlowErrors own, other;
+  evaluation::SceneFlowErrors own3d;
+  if (!truth.flow.empty()) {
+    own = evaluation::flowErrors (run.flow.flow, truth.flow, seen);
     if (!dis.empty())
-      other = benchmark::endPointErrors (dis, truth, visible, reference.depth);
+      other = evaluation::flowErrors (dis, truth.flow, seen);
   }
-  if (!truth3d.empty())
-    own3d = benchmark::meanError3d (
-        run.flow.displacement, truth3d, visible, reference.depth);
-  if (!dis.empty()) {
-    const cv::Mat& mask = run.flow.visibility;
-    all = benchmark::brightnessResiduals (run.flow.flow, reference, current);
-    dis_all = benchmark::brightnessResiduals (dis, reference, current);
-    seen = benchmark::brightnessResiduals (run.flow.flow, reference, current, mask);
-    dis_seen = benchmark::brightnessResiduals (dis, reference, current, mask);
-  }
+  if (!truth.scene_flow.empty())
+    own3d = evaluation::sceneFlowErrors (run.flow.displacement, truth.scene_flow, seen);
+  const Ratios everywhere = ratios (run.flow.flow, dis, reference, current, all);
+  const Ratios there = ratios (run.flow.flow, dis, reference, current, reported);
   const double share = static_cast<double> (cv::countNonZero (
                            run.flow.visibility == static_cast<int> (Visible))) /
                        cv::countNonZero (run.flow.visibility);
@@ -107,13 +153,13 @@ printRow (const std::string& path, int frame, int repetitions)
                std::filesystem::path (path).filename().c_str(),
                run.flow.segments.size(),
                run.flow.bodies,
-               cell ("%.3f", own.mean).c_str(),
+               cell ("%.3f", own.epe).c_str(),
                cell ("%.3f", own.median).c_str(),
-               cell ("%.2f", own3d).c_str(),
-               cell ("%.3f", other.mean).c_str(),
-               cell ("%.2f", all.mean / dis_all.mean).c_str(),
-               cell ("%.2f", all.median / dis_all.median).c_str(),
-               cell ("%.2f", seen.mean / dis_seen.mean).c_str(),
+               cell ("%.2f", 1e3 * own3d.epe).c_str(),
+               cell ("%.3f", other.epe).c_str(),
+               cell ("%.2f", everywhere.mean).c_str(),
+               cell ("%.2f", everywhere.median).c_str(),
+               cell ("%.2f", there.mean).c_str(),
                share,
                run.milliseconds);
   std::fflush (stdout);

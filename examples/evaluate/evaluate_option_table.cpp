@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "evaluate_option_table.h"
+
+#include "scene_flow/option_values.h"
+#include <pcl_msf/errors.h>
+
+#include <sstream>
+
+namespace pcl_msf::tool {
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+Words
+splitAtCommas (const std::string& text)
+{
+  Words words;
+  std::istringstream stream (text);
+  for (std::string word; std::getline (stream, word, ',');)
+    words.push_back (word);
+  return words;
+}
+
+Setter
+text (std::string& value)
+{
+  return [&value] (const std::string& given) {
+    value = given;
+    return !given.empty();
+  };
+}
+
+Setter
+flag (bool& value)
+{
+  return [&value] (const std::string&) { return value = true; };
+}
+
+Setter
+word (std::string& value, const Words& words)
+{
+  return [&value, words] (const std::string& given) {
+    for (const std::string& one : words)
+      if (one == given) {
+        value = given;
+        return true;
+      }
+    return false;
+  };
+}
+
+/** A list of words out of some, joined by commas. */
+template <typename Enum>
+Setter
+several (std::vector<Enum>& values,
+         const std::vector<std::pair<std::string, Enum>>& all)
+{
+  return [&values, all] (const std::string& given) {
+    values.clear();
+    for (const std::string& word : splitAtCommas (given))
+      if (Enum value{}; choice<Enum> (value, all) (word))
+        values.push_back (value);
+      else
+        return false;
+    return !values.empty();
+  };
+}
+
+Setter
+scenes (std::vector<Scene>& values)
+{
+  std::vector<std::pair<std::string, Scene>> all;
+  for (const Scene scene : allScenes())
+    all.emplace_back (toString (scene), scene);
+  return several (values, all);
+}
+
+Setter
+size (int& width, int& height)
+{
+  return [&width, &height] (const std::string& given) {
+    const std::size_t x = given.find ('x');
+    return x != std::string::npos && parse (given.substr (0, x), width) &&
+           parse (given.substr (x + 1), height);
+  };
+}
+
+OptionGroup
+inputOptions (EvaluateOptions& o)
+{
+  return {"What to read",
+          {{"--pairs",
+            "WORD",
+            "adjacent or 0-k (frame 0 and each later one) [adjacent]",
+            choice<Pairs> (o.pairs,
+                           {{"adjacent", Pairs::Adjacent}, {"0-k", Pairs::FromFirst}})},
+           {"--step", "N", "use every N-th frame [1]", number (o.step)},
+           {"--limit",
+            "N",
+            "pairs of a sequence at the most, 0 = all [0]",
+            number (o.limit)},
+           {"--camera",
+            "FX,FY,CX,CY",
+            "pinhole camera in place of the data set's, pixels",
+            [&o] (const std::string& s) {
+              return parseCamera (s, o.reading.camera.emplace());
+            }},
+           {"--depth-scale",
+            "S",
+            "units per metre of 16-bit depth in place of the data set's",
+            [&o] (const std::string& s) {
+              return parse (s, o.reading.depth_scale.emplace()) &&
+                     *o.reading.depth_scale > 0.0;
+            }},
+           {"--pass",
+            "WORD",
+            "clean or final: Sintel, FlyingThings3D [clean]",
+            word (o.reading.pass, {"clean", "final"})},
+           {"--view",
+            "WORD",
+            "left or right: FlyingThings3D, Virtual KITTI 2 [left]",
+            word (o.reading.view, {"left", "right"})}}};
+}
+
+OptionGroup
+generatedOptions (GeneratedOptions& g)
+{
+  return {"What to generate",
+          {{"--scenes", "A,B,...", "of pcl_msf_synthesize [all]", scenes (g.scenes)},
+           {"--motion",
+            "A,B",
+            "easy, large [easy,large]",
+            several<MotionSize> (
+                g.motions, {{"easy", MotionSize::Easy}, {"large", MotionSize::Large}})},
+           {"--sensor",
+            "A,B",
+            "none, kinect [none,kinect]",
+            several<Sensor> (g.sensors,
+                             {{"none", Sensor::None}, {"kinect", Sensor::Kinect}})},
+           {"--seed", "N", "of everything [1]", number (g.seed)},
+           {"--size", "WxH", "pixels [640x480]", size (g.width, g.height)},
+           {"--frames", "N", "of a sequence [2]", number (g.frames)}}};
+}
+
+OptionGroup
+methodOptions (EvaluateOptions& o)
+{
+  return {"What to run",
+          {{"--methods",
+            "A,B,...",
+            "see below [all]",
+            [&o] (const std::string& s) {
+              o.methods = splitAtCommas (s);
+              return !o.methods.empty();
+            }},
+           {"--ablation",
+            "",
+            "add our method with the l1 and l2 norms (the paper's section 4.1)",
+            flag (o.ablation)},
+           {"--labels",
+            "WORD",
+            "segments of msf: method, true, or cut along true borders [method]",
+            word (o.labels, {"method", "true", "cut"})},
+           {"--start",
+            "WORD",
+            "start of msf: method, or true motion [method]",
+            word (o.start, {"method", "true"})},
+           {"--threads", "N", "of a process, 0 = all [0]", number (o.threads)},
+           {"--jobs", "N", "processes [1]", number (o.jobs)},
+           {"--shard",
+            "I/N",
+            "do the I-th of N parts; auto: as Slurm or MPI says; auto/N: GNU parallel",
+            [&o] (const std::string& s) {
+              o.shard = parseShard (s);
+              return true;
+            }}}};
+}
+
+OptionGroup
+outputOptions (EvaluateOptions& o)
+{
+  return {"What to write",
+          {{"--csv",
+            "FILE",
+            "a row per method and pair, at once; what is there is not done again",
+            text (o.csv)},
+           {"--json", "FILE", "rows and summary", text (o.json)},
+           {"--merge", "", "join the CSVs of shards into --csv", flag (o.merge)},
+           {"--quiet", "", "no progress on stderr", flag (o.quiet)},
+           {"--help", "", "print this", flag (o.help)}}};
+}
+
+} // namespace
+
+std::vector<OptionGroup>
+makeEvaluateOptionTable (EvaluateOptions& options)
+{
+  return {inputOptions (options),
+          generatedOptions (options.generated),
+          methodOptions (options),
+          outputOptions (options)};
+}
+
+} // namespace pcl_msf::tool

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "options.h"
+#include "scene_flow/option_table.h"
+
+#include <vector>
+
+namespace pcl_msf::tool {
+
+/** \brief All options, bound to the fields of `options`, which must outlive them. */
+std::vector<OptionGroup>
+makeEvaluateOptionTable (EvaluateOptions& options);
+
+} // namespace pcl_msf::tool

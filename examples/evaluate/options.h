@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "generated.h"
+#include "shard.h"
+#include <pcl_msf/io/datasets.h>
+
+#include <string>
+#include <vector>
+
+namespace pcl_msf::tool {
+
+/** \brief Which two frames make a pair. */
+enum class Pairs {
+  Adjacent, ///< each frame and the next one
+  FromFirst ///< frame 0 and each later one
+};
+
+/** \brief Everything that the command line of pcl_msf_evaluate says. */
+struct EvaluateOptions {
+  std::string dataset; ///< a kind, "auto" or "generated"
+  std::string path;
+  io::DatasetOptions reading;
+  GeneratedOptions generated;
+  std::vector<std::string> methods;
+  Pairs pairs{Pairs::Adjacent};
+  int step{1};  ///< every so many frames
+  int limit{0}; ///< pairs of a sequence at the most; 0 = all
+  bool ablation{false};
+  std::string labels{"method"}; ///< of all methods "msf"
+  std::string start{"method"};  ///< likewise
+  unsigned threads{0};
+  int jobs{1};
+  Shard shard;
+  std::string csv;
+  std::string json;
+  bool merge{false};
+  std::vector<std::string> merged; ///< the files to merge, into `csv`
+  bool quiet{false};
+  bool help{false};
+
+  /** \brief What results depend on, as one line: rows of different settings are not
+   * comparable. */
+  std::string
+  settings () const;
+};
+
+/** \brief Reads the command line. \throws UsageError */
+EvaluateOptions
+parseEvaluateOptions (int argc, const char* const* argv);
+
+/** \brief Prints what the tool does, all options and the columns of the CSV. */
+void
+printEvaluateHelp (const char* program);
+
+} // namespace pcl_msf::tool
