@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <opencv2/imgproc.hpp>
+
+#include "visualization/point_colors.h"
+#include "visualization/result_checks.h"
+#include "visualization/value_scenes.h"
+#include <pcl_msf/errors.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_msf::visualization {
+
+namespace {
+
+constexpr double kTypicalShare = 0.99;
+constexpr double kPale = 0.6;        ///< share of white in the cloud behind arrows
+constexpr double kLeastShare = 0.03; ///< of the scale: shorter motion has no arrow
+constexpr int kColorMap = cv::COLORMAP_TURBO;
+
+void
+requireOptions (const SceneOptions& options)
+{
+  if (options.arrow_step < 1 || !(options.arrow_scale > 0.0))
+    throw InvalidInput ("arrows: step must be 1 or more, scale above 0");
+}
+
+/** The reference cloud, pale, as the ground that arrows stand on. */
+PointSet
+paleCloud (const ResultClouds& result)
+{
+  const cv::Mat& points = result.scene_flow.points;
+  cv::Mat gray;
+  cv::cvtColor (
+      ownColors (result.reference_color, points.size()), gray, cv::COLOR_BGR2GRAY);
+  cv::Mat colors;
+  cv::cvtColor (gray * (1.0 - kPale) + 255.0 * kPale, colors, cv::COLOR_GRAY2BGR);
+  return {points, colors};
+}
+
+double
+scaleEnd (const cv::Mat& values, double maximum)
+{
+  const double end = maximum > 0.0 ? maximum : percentile (values, kTypicalShare);
+  return end > 0.0 ? end : 1.0;
+}
+
+cv::Vec3b
+colorAt (double share, int color_map)
+{
+  const cv::Mat level (
+      1, 1, CV_8UC1, cv::Scalar (cv::saturate_cast<unsigned char> (255.0 * share)));
+  cv::Mat color;
+  cv::applyColorMap (level, color, color_map);
+  return color.at<cv::Vec3b> (0, 0);
+}
+
+bool
+isFinite (const cv::Vec3f& p)
+{
+  return std::isfinite (p[0] + p[1] + p[2]);
+}
+
+/** Pixels from half a step on, so that a grid is centred. */
+template <typename Visit>
+void
+forGrid (const cv::Size& size, int step, const Visit& visit)
+{
+  for (int row = step / 2; row < size.height; row += step)
+    for (int col = step / 2; col < size.width; col += step)
+      visit (row, col);
+}
+
+} // namespace
+
+Scene
+arrowScene (const ResultClouds& result, const SceneOptions& options)
+{
+  requireOptions (options);
+  const SceneFlow& flow = result.scene_flow;
+  const double end = scaleEnd (lengths (flow.displacement), options.maximum);
+  Scene scene;
+  scene.title = "displacement";
+  if (options.arrow_scale != 1.0)
+    scene.title += ", arrows enlarged " + cv::format ("%g times", options.arrow_scale);
+  scene.points.push_back (paleCloud (result));
+  forGrid (flow.points.size(), options.arrow_step, [&] (int row, int col) {
+    const auto& p = flow.points.at<cv::Vec3f> (row, col);
+    const auto& d = flow.displacement.at<cv::Vec3f> (row, col);
+    const double length = cv::norm (d);
+    if (!isFinite (p) || !isFinite (d) || length < kLeastShare * end)
+      return;
+    const cv::Vec3f tip = p + static_cast<float> (options.arrow_scale) * d;
+    scene.arrows.push_back ({p, tip, colorAt (length / end, kColorMap)});
+  });
+  scene.scale = ColorScale{0.0, end, "length of displacement [m]", kColorMap};
+  return scene;
+}
+
+Scene
+trajectoryScene (const ResultClouds& result,
+                 const std::vector<cv::Mat>& displacements,
+                 const SceneOptions& options)
+{
+  requireResult (result);
+  requireOptions (options);
+  requireDisplacements (result, displacements);
+  const cv::Mat& points = result.scene_flow.points;
+  const int frames = static_cast<int> (displacements.size());
+  Scene scene;
+  scene.title = "trajectories over " + std::to_string (frames + 1) + " frames";
+  scene.points.push_back (paleCloud (result));
+  forGrid (points.size(), options.arrow_step, [&] (int row, int col) {
+    const auto& p = points.at<cv::Vec3f> (row, col);
+    if (!isFinite (p))
+      return;
+    Polyline line{{p}, {colorAt (0.0, kColorMap)}};
+    for (int k = 0; k < frames; ++k) {
+      const auto& d = displacements[k].at<cv::Vec3f> (row, col);
+      if (!isFinite (d))
+        break;
+      line.points.push_back (p + static_cast<float> (options.arrow_scale) * d);
+      line.colors.push_back (colorAt ((k + 1.0) / frames, kColorMap));
+    }
+    if (line.points.size() > 1)
+      scene.lines.push_back (line);
+  });
+  scene.scale = ColorScale{0.0, static_cast<double> (frames), "frame", kColorMap};
+  return scene;
+}
+
+} // namespace pcl_msf::visualization
