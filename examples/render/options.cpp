@@ -199,7 +199,7 @@ styleOptions (RenderOptions& o)
        number (o.scene.arrow_step)},
       {"--arrow-scale",
        "FACTOR",
-       "arrows are so many times the displacement [1]",
+       "arrows are so many times the displacement, 0 = as can be seen [0]",
        number (o.scene.arrow_scale)},
       {"--maximum",
        "VALUE",
@@ -256,8 +256,9 @@ check (const RenderOptions& o)
     throw CommandLineError ("--" + why);
   if (o.frame < 1 || o.window < 0)
     throw CommandLineError ("--frame, --window: must be 1 or more");
-  if (o.scene.arrow_step < 1 || !(o.scene.arrow_scale > 0.0))
-    throw CommandLineError ("--arrow-step must be 1 or more, --arrow-scale above 0");
+  if (o.scene.arrow_step < 1 || !(o.scene.arrow_scale >= 0.0))
+    throw CommandLineError (
+        "--arrow-step must be 1 or more, --arrow-scale not negative");
   if (!(o.field_of_view > 1.0 && o.field_of_view < 170.0) || !(o.zoom > 0.0))
     throw CommandLineError ("--field-of-view must be 1 to 170, --zoom above 0");
   if (o.view == ViewPreset::User && !o.eye)

@@ -129,47 +129,66 @@ drawScale (Pen& pen, const ColorScale& scale)
   pen.text (high, {left.x + width - pen.width (high), below});
 }
 
-/** The scene's x, y and z as the view sees them, nearest last. */
-void
-drawAxes (Pen& pen, const View& view)
+/** One of the scene's directions as the view sees it. */
+struct Axis {
+  Eigen::Vector3d direction;
+  const char* name;
+  cv::Scalar color;
+};
+
+/** x, y and z, nearest last. */
+std::array<Axis, 3>
+sortedAxes (const View& view)
 {
-  struct Axis {
-    Eigen::Vector3d direction;
-    const char* name;
-    cv::Scalar color;
-  };
   std::array<Axis, 3> axes{{{view.rotation.col (0), "x", {40, 40, 210}},
                             {view.rotation.col (1), "y", {40, 150, 30}},
                             {view.rotation.col (2), "z", {210, 90, 20}}}};
   std::sort (axes.begin(), axes.end(), [] (const Axis& a, const Axis& b) {
     return a.direction.z() > b.direction.z();
   });
-  const double length = 1.8 * pen.line();
-  const cv::Point2d origin (pen.margin() + 1.4 * length,
-                            pen.picture().rows - pen.margin() - 1.4 * length);
-  pen.box (cv::Rect (0,
-                     cvRound (origin.y - 1.4 * length) - pen.margin(),
-                     cvRound (2.8 * length) + 2 * pen.margin(),
-                     cvRound (2.8 * length) + 2 * pen.margin()));
+  return axes;
+}
+
+/** Draws the directions in the lower left corner. \return the width that they take */
+int
+drawAxes (Pen& pen, const View& view)
+{
+  const std::array<Axis, 3> axes = sortedAxes (view);
+  const double length = 1.4 * pen.line();
+  const double reach = 1.3 * length; // from the origin to the middle of a letter
+  cv::Point2d low, high;
+  for (const Axis& axis : axes) {
+    low.x = std::min (low.x, reach * axis.direction.x());
+    low.y = std::min (low.y, reach * axis.direction.y());
+    high.x = std::max (high.x, reach * axis.direction.x());
+    high.y = std::max (high.y, reach * axis.direction.y());
+  }
+  const double half = 0.5 * pen.line();
+  const cv::Point2d origin (pen.margin() + half - low.x,
+                            pen.picture().rows - half - high.y);
+  const int width = cvRound (origin.x + high.x + half) + pen.margin() / 2;
+  const int top = cvRound (origin.y + low.y - half);
+  pen.box (cv::Rect (0, top, width, pen.picture().rows - top));
   constexpr int kShift = 4; // cv draws between pixels with this many bits
   const auto fixed = [] (const cv::Point2d& p) {
     return cv::Point (cvRound (p.x * (1 << kShift)), cvRound (p.y * (1 << kShift)));
   };
   for (const Axis& axis : axes) {
-    const cv::Point2d d (length * axis.direction.x(), length * axis.direction.y());
+    const cv::Point2d d (axis.direction.x(), axis.direction.y());
     cv::line (pen.picture(),
               fixed (origin),
-              fixed (origin + d),
+              fixed (origin + length * d),
               axis.color,
               std::max (1, pen.line() / 8),
               cv::LINE_AA,
               kShift);
-    const cv::Point2d middle = origin + 1.25 * d;
+    const cv::Point2d middle = origin + reach * d;
     const cv::Point corner (cvRound (middle.x) - pen.width (axis.name) / 2,
-                            cvRound (middle.y) - pen.line() / 2);
-    if (cv::norm (d) > 0.25 * length)
+                            cvRound (middle.y - half));
+    if (cv::norm (d) > 0.25)
       drawLine (pen.picture(), axis.name, corner, pen.line(), axis.color, true);
   }
+  return width;
 }
 
 /** A length in metres; only a parallel view has one for all depths. */
@@ -215,10 +234,11 @@ annotate (cv::Mat& picture,
   drawTitleAndLegend (pen, scene, style);
   if (style.legend && scene.scale)
     drawScale (pen, *scene.scale);
-  if (style.axes)
-    drawAxes (pen, view);
-  if (style.axes && view.parallel && view.scale > 0.0)
-    drawLength (pen, view, cvRound (2.8 * 1.8 * pen.line()) + 2 * pen.margin());
+  if (!style.axes)
+    return;
+  const int width = drawAxes (pen, view);
+  if (view.parallel && view.scale > 0.0)
+    drawLength (pen, view, width);
 }
 
 } // namespace pcl_msf::visualization

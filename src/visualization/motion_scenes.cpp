@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <opencv2/imgproc.hpp>
 
+#include "visualization/annotations.h"
 #include "visualization/point_colors.h"
 #include "visualization/result_checks.h"
 #include "visualization/value_scenes.h"
@@ -17,13 +18,14 @@ namespace {
 constexpr double kTypicalShare = 0.99;
 constexpr double kPale = 0.6;        ///< share of white in the cloud behind arrows
 constexpr double kLeastShare = 0.03; ///< of the scale: shorter motion has no arrow
+constexpr double kArrowLength = 1.6; ///< of long arrows, in steps
 constexpr int kColorMap = cv::COLORMAP_TURBO;
 
 void
 requireOptions (const SceneOptions& options)
 {
-  if (options.arrow_step < 1 || !(options.arrow_scale > 0.0))
-    throw InvalidInput ("arrows: step must be 1 or more, scale above 0");
+  if (options.arrow_step < 1 || !(options.arrow_scale >= 0.0))
+    throw InvalidInput ("arrows: step must be 1 or more, scale not negative");
 }
 
 /** The reference cloud, pale, as the ground that arrows stand on. */
@@ -56,6 +58,36 @@ colorAt (double share, int color_map)
   return color.at<cv::Vec3b> (0, 0);
 }
 
+/** 1, or more where long displacements are short in the sensor's pixels. */
+double
+automaticScale (const SceneFlow& flow, double end, int step)
+{
+  cv::Mat depth;
+  cv::extractChannel (flow.points, depth, 2);
+  const double pixels = end * flow.camera.fx / percentile (depth, 0.5);
+  return pixels > 0.0 && std::isfinite (pixels)
+             ? std::clamp (roundLength (kArrowLength * step / pixels), 1.0, 100.0)
+             : 1.0;
+}
+
+double
+arrowScale (const SceneFlow& flow, const SceneOptions& options, double end)
+{
+  return options.arrow_scale > 0.0 ? options.arrow_scale
+                                   : automaticScale (flow, end, options.arrow_step);
+}
+
+/** A scale of lengths, in millimetres when metres were small numbers. */
+ColorScale
+lengthScale (double end)
+{
+  const bool small = end < 0.1;
+  return {0.0,
+          small ? 1000.0 * end : end,
+          small ? "length of displacement [mm]" : "length of displacement [m]",
+          kColorMap};
+}
+
 bool
 isFinite (const cv::Vec3f& p)
 {
@@ -82,8 +114,9 @@ arrowScene (const ResultClouds& result, const SceneOptions& options)
   const double end = scaleEnd (lengths (flow.displacement), options.maximum);
   Scene scene;
   scene.title = "displacement";
-  if (options.arrow_scale != 1.0)
-    scene.title += ", arrows enlarged " + cv::format ("%g times", options.arrow_scale);
+  const double enlarged = arrowScale (flow, options, end);
+  if (enlarged != 1.0)
+    scene.title += cv::format (", arrows %g times as long", enlarged);
   scene.points.push_back (paleCloud (result));
   forGrid (flow.points.size(), options.arrow_step, [&] (int row, int col) {
     const auto& p = flow.points.at<cv::Vec3f> (row, col);
@@ -91,10 +124,10 @@ arrowScene (const ResultClouds& result, const SceneOptions& options)
     const double length = cv::norm (d);
     if (!isFinite (p) || !isFinite (d) || length < kLeastShare * end)
       return;
-    const cv::Vec3f tip = p + static_cast<float> (options.arrow_scale) * d;
+    const cv::Vec3f tip = p + static_cast<float> (enlarged) * d;
     scene.arrows.push_back ({p, tip, colorAt (length / end, kColorMap)});
   });
-  scene.scale = ColorScale{0.0, end, "length of displacement [m]", kColorMap};
+  scene.scale = lengthScale (end);
   return scene;
 }
 
@@ -108,8 +141,13 @@ trajectoryScene (const ResultClouds& result,
   requireDisplacements (result, displacements);
   const cv::Mat& points = result.scene_flow.points;
   const int frames = static_cast<int> (displacements.size());
+  const SceneFlow& flow = result.scene_flow;
+  const double enlarged = arrowScale (
+      flow, options, scaleEnd (lengths (displacements.back()), options.maximum));
   Scene scene;
   scene.title = "trajectories over " + std::to_string (frames + 1) + " frames";
+  if (enlarged != 1.0)
+    scene.title += cv::format (", %g times as long", enlarged);
   scene.points.push_back (paleCloud (result));
   forGrid (points.size(), options.arrow_step, [&] (int row, int col) {
     const auto& p = points.at<cv::Vec3f> (row, col);
@@ -120,7 +158,7 @@ trajectoryScene (const ResultClouds& result,
       const auto& d = displacements[k].at<cv::Vec3f> (row, col);
       if (!isFinite (d))
         break;
-      line.points.push_back (p + static_cast<float> (options.arrow_scale) * d);
+      line.points.push_back (p + static_cast<float> (enlarged) * d);
       line.colors.push_back (colorAt ((k + 1.0) / frames, kColorMap));
     }
     if (line.points.size() > 1)

@@ -35,7 +35,7 @@ pointSpacing (const PointSet& set, const View& view)
   std::vector<double> spacing;
   const cv::Mat& p = set.positions;
   const int step = std::max (1, p.rows / 64);
-  for (int row = 0; row < p.rows; row += step)
+  for (int row = 0; row + 1 < p.rows; row += step)
     for (int col = 0; col + 1 < p.cols; col += step) {
       const auto& a = p.at<cv::Vec3f> (row, col);
       const auto& b = p.at<cv::Vec3f> (row, col + 1);
@@ -59,6 +59,47 @@ pointSize (const PointSet& set, const View& view, const PictureStyle& style)
     return style.point_size;
   const double largest = std::max (3.0, style.size.height / 120.0);
   return std::clamp (kOverlap * pointSpacing (set, view), 1.0, largest);
+}
+
+/** Adds a layer to sums of its own colour and of its coverage. */
+void
+blend (const cv::Mat& layer,
+       const cv::Vec3b& background,
+       cv::Mat& color,
+       cv::Mat& coverage)
+{
+  if (color.empty()) {
+    color = cv::Mat::zeros (layer.size(), CV_32FC3);
+    coverage = cv::Mat::zeros (layer.size(), CV_32FC2);
+  }
+  for (int row = 0; row < layer.rows; ++row)
+    for (int col = 0; col < layer.cols; ++col) {
+      const auto& pixel = layer.at<cv::Vec4b> (row, col);
+      const float alpha = static_cast<float> (pixel[3]) / 255.0F;
+      auto& share = coverage.at<cv::Vec2f> (row, col);
+      share = {share[0] + alpha, std::max (share[1], alpha)};
+      for (int c = 0; c < 3; ++c) // the picture is alpha color + (1 - alpha) background
+        color.at<cv::Vec3f> (row, col)[c] +=
+            static_cast<float> (pixel[c]) - (1.0F - alpha) * background[c];
+    }
+}
+
+/** The mean of the layers' colours over the background. */
+cv::Mat
+blended (const cv::Mat& color, const cv::Mat& coverage, const cv::Vec3b& background)
+{
+  cv::Mat picture (color.size(), CV_8UC3, cv::Scalar (background));
+  for (int row = 0; row < color.rows; ++row)
+    for (int col = 0; col < color.cols; ++col) {
+      const auto& share = coverage.at<cv::Vec2f> (row, col);
+      if (!(share[0] > 0.0F))
+        continue;
+      for (int c = 0; c < 3; ++c)
+        picture.at<cv::Vec3b> (row, col)[c] = cv::saturate_cast<unsigned char> (
+            share[1] * color.at<cv::Vec3f> (row, col)[c] / share[0] +
+            (1.0F - share[1]) * background[c]);
+    }
+  return picture;
 }
 
 void
@@ -126,6 +167,31 @@ public:
   cv::Mat
   draw (const Scene& scene, const View& view, const PictureStyle& style)
   {
+    const DepthRange range = depthRange (scene, view);
+    if (!scene.blended || scene.points.size() < 2) {
+      cv::Mat picture;
+      cv::cvtColor (layer (scene, view, range, style), picture, cv::COLOR_BGRA2BGR);
+      return picture;
+    }
+    cv::Mat color, coverage;
+    for (const PointSet& set : scene.points) {
+      Scene alone;
+      alone.points = {set};
+      alone.arrows = scene.arrows;
+      alone.lines = scene.lines;
+      blend (layer (alone, view, range, style), style.background, color, coverage);
+    }
+    return blended (color, coverage, style.background);
+  }
+
+private:
+  /** A scene as drawn: CV_8UC4 (BGRA, the background's alpha is 0). */
+  cv::Mat
+  layer (const Scene& scene,
+         const View& view,
+         const DepthRange& range,
+         const PictureStyle& style)
+  {
     const int factor = style.supersampling;
     renderer_->RemoveAllViewProps();
     const double line = kLineWidth * std::max (1.0, style.size.height / 480.0) * factor;
@@ -135,13 +201,12 @@ public:
     add (arrowActor (scene.arrows));
     const cv::Vec3b& b = style.background;
     renderer_->SetBackground (b[2] / 255.0, b[1] / 255.0, b[0] / 255.0);
-    setCamera (*renderer_->GetActiveCamera(), view, depthRange (scene, view));
+    setCamera (*renderer_->GetActiveCamera(), view, range);
     window_->SetSize (factor * style.size.width, factor * style.size.height);
     window_->Render();
     return grab (style.size);
   }
 
-private:
   void
   add (vtkActor* actor)
   {
@@ -156,19 +221,19 @@ private:
     filter->SetInput (window_);
     filter->ReadFrontBufferOff();
     filter->ShouldRerenderOff();
-    filter->SetInputBufferTypeToRGB();
+    filter->SetInputBufferTypeToRGBA();
     filter->Update();
     vtkImageData* image = filter->GetOutput();
     const int* drawn = image->GetDimensions();
     if (drawn[0] < size.width || drawn[1] < size.height ||
         image->GetScalarPointer() == nullptr)
       throw DisplayError ("OpenGL gave no picture; try a smaller one");
-    const cv::Mat rgb (drawn[1], drawn[0], CV_8UC3, image->GetScalarPointer());
-    cv::Mat picture;
-    cv::resize (rgb, picture, size, 0.0, 0.0, cv::INTER_AREA);
-    cv::flip (picture, picture, 0);
-    cv::cvtColor (picture, picture, cv::COLOR_RGB2BGR);
-    return picture;
+    const cv::Mat rgba (drawn[1], drawn[0], CV_8UC4, image->GetScalarPointer());
+    cv::Mat result;
+    cv::resize (rgba, result, size, 0.0, 0.0, cv::INTER_AREA);
+    cv::flip (result, result, 0);
+    cv::cvtColor (result, result, cv::COLOR_RGBA2BGRA);
+    return result;
   }
 
   VirtualDisplay display_;

@@ -14,7 +14,7 @@ namespace pcl_msf::visualization {
 
 namespace {
 
-constexpr double kLeastLight = 0.35; ///< dark texture keeps this much of its tint
+constexpr double kLeastLight = 0.4;  ///< dark texture keeps this much of its tint
 constexpr double kWhiteShare = 0.45; ///< light texture goes so far towards white
 
 } // namespace
@@ -29,12 +29,16 @@ cv::Mat
 tintedColors (const cv::Mat& image, const cv::Size& size, const cv::Vec3b& tint)
 {
   const cv::Mat gray = io::asGray (ownColors (image, size));
+  cv::Mat brightness;
+  gray.convertTo (brightness, CV_32FC1);
+  const double white_point = std::max (32.0, percentile (brightness, 0.95));
   cv::Mat colors (size, CV_8UC3);
   for (int row = 0; row < size.height; ++row)
     for (int col = 0; col < size.width; ++col) {
-      const double light = gray.at<unsigned char> (row, col) / 255.0;
+      const double light =
+          std::min (1.0, gray.at<unsigned char> (row, col) / white_point);
       const double shade =
-          kLeastLight + (1.0 - kLeastLight) * std::min (1.0, 1.6 * light);
+          kLeastLight + (1.0 - kLeastLight) * std::min (1.0, 1.5 * light);
       const double white = kWhiteShare * std::max (0.0, (light - 0.4) / 0.6);
       for (int c = 0; c < 3; ++c)
         colors.at<cv::Vec3b> (row, col)[c] = cv::saturate_cast<unsigned char> (

@@ -49,6 +49,7 @@ pairInTints (const ResultClouds& result,
   scene.points.push_back (
       {result.current_points, tintedColors (result.current_color, size, kCurrentTint)});
   scene.legend = {{kReferenceTint, name}, {kCurrentTint, "current"}};
+  scene.blended = true;
   return scene;
 }
 
@@ -171,6 +172,7 @@ warpScene (const ResultClouds& result,
        tintedColors (result.reference_color, size, kReferenceTint)});
   scene.legend.push_back (
       {kReferenceTint, cv::format ("reference on its way, frame %.2f", at)});
+  scene.blended = true;
   return titled (scene, "warp");
 }
 

@@ -15,6 +15,7 @@ namespace pcl_msf::visualization {
 namespace {
 
 constexpr double kRadians = 3.14159265358979323846 / 180.0;
+constexpr double kFill = 0.85;        ///< a box looks smaller than the sphere around it
 constexpr double kLeastRadius = 1e-3; ///< metres: a single point has a picture, too
 
 PinholeCamera
@@ -44,7 +45,7 @@ viewingDistance (const SceneBounds& bounds, const View& view, double zoom)
 {
   const double side = std::min (view.size.width, view.size.height);
   const double half_angle = std::atan (0.5 * side / view.camera.fx);
-  return bounds.radius / std::sin (half_angle) / zoom;
+  return kFill * bounds.radius / std::sin (half_angle) / zoom;
 }
 
 } // namespace

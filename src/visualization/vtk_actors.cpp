@@ -122,9 +122,9 @@ arrowActor (const std::vector<Arrow>& arrows)
   auto shape = vtkSmartPointer<vtkArrowSource>::New();
   shape->SetTipResolution (12);
   shape->SetShaftResolution (8);
-  shape->SetShaftRadius (0.045);
-  shape->SetTipRadius (0.14);
-  shape->SetTipLength (0.36);
+  shape->SetShaftRadius (0.06);
+  shape->SetTipRadius (0.2);
+  shape->SetTipLength (0.42);
   auto glyphs = vtkSmartPointer<vtkGlyph3D>::New();
   glyphs->SetInputData (data);
   glyphs->SetSourceConnection (shape->GetOutputPort());

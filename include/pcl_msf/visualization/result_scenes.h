@@ -48,7 +48,8 @@ toString (PictureKind kind);
 
 struct SceneOptions {
   int arrow_step{16};      ///< pixels between arrows or trajectories, >= 1
-  double arrow_scale{1.0}; ///< arrows are so many times the displacement, > 0
+  double arrow_scale{0.0}; ///< arrows are so many times the displacement; 0 = 1, or 2,
+                           ///< 5, 10, ... when they were too short to be seen
   double maximum{0.0};     ///< end of the colour scale; 0 = 99th percentile
 };
 

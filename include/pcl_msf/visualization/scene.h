@@ -46,6 +46,8 @@ struct ColorScale {
 struct Scene {
   std::string title;
   std::vector<PointSet> points;
+  bool blended{false}; ///< each set is drawn alone and the pictures are averaged, so
+                       ///< that of two clouds in one place both are seen
   std::vector<Arrow> arrows;
   std::vector<Polyline> lines;
   std::vector<LegendEntry> legend;
