@@ -17,7 +17,12 @@ namespace {
 /** Passes iterations on and ends the solve when the monitor says so. */
 class MonitorCallback : public ceres::IterationCallback {
 public:
-  explicit MonitorCallback (SolveMonitor& monitor) : monitor_ (monitor) {}
+  MonitorCallback (SolveMonitor& monitor,
+                   const JointEnergy& energy,
+                   const MotionState& state,
+                   const EnergyCost& start)
+  : monitor_ (monitor), energy_ (energy), state_ (state), terms_ (start)
+  {}
 
   ceres::CallbackReturnType
   operator() (const ceres::IterationSummary& summary) override
@@ -25,12 +30,17 @@ public:
     if (summary.iteration == 0)
       return monitor_.stopped() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
                                 : ceres::SOLVER_CONTINUE;
-    return monitor_.step (summary.cost) ? ceres::SOLVER_CONTINUE
-                                        : ceres::SOLVER_TERMINATE_SUCCESSFULLY;
+    if (summary.step_is_successful) // the last sweep was at the new state
+      terms_ = energy_.presentCost (state_);
+    return monitor_.step (summary.cost, terms_) ? ceres::SOLVER_CONTINUE
+                                                : ceres::SOLVER_TERMINATE_SUCCESSFULLY;
   }
 
 private:
   SolveMonitor& monitor_;
+  const JointEnergy& energy_;
+  const MotionState& state_;
+  EnergyCost terms_;
 };
 
 ceres::Solver::Options
@@ -51,6 +61,7 @@ solverOptions (const SolverParameters& solver, const SolveMonitor& monitor)
   options.gradient_tolerance = 0.0;
   options.max_solver_time_in_seconds = monitor.secondsLeft();
   options.logging_type = ceres::SILENT;
+  options.update_state_every_iteration = true; // the callback reads it
   options.num_threads = 1; // the sweep is parallel; the rest is small
   return options;
 }
@@ -109,6 +120,12 @@ EnergyCost
 JointEnergy::evaluate (const MotionState& state)
 {
   data_.sweep (state, DataTerm::Pass::Linearize);
+  return presentCost (state);
+}
+
+EnergyCost
+JointEnergy::presentCost (const MotionState& state) const
+{
   EnergyCost cost;
   for (int k = 0; k < data_.pixels().segments(); ++k) {
     cost.brightness += data_.of (k).brightness_cost;
@@ -136,7 +153,7 @@ JointEnergy::minimize (const SolverParameters& solver,
   relaxWeights (state);
   outcome.initial = evaluate (state);
   JointProblem problem (*this, state);
-  MonitorCallback callback (monitor);
+  MonitorCallback callback (monitor, *this, state, outcome.initial);
   ceres::Solver::Options options = solverOptions (solver, monitor);
   options.callbacks.push_back (&callback);
   ceres::Solver::Summary summary;

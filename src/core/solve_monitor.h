@@ -35,7 +35,7 @@ public:
 
   /** \brief One step done: tells the progress callback. \return go on? */
   bool
-  step (double cost);
+  step (double cost, const EnergyCost& terms);
 
   /** \brief True once cancelled or out of time. */
   bool

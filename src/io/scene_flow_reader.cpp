@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <pcl/console/print.h>
 #include <pcl/io/pcd_io.h>
 #include <pcl/conversions.h>
 #include <pcl/PCLPointCloud2.h>
 
+#include "io/cloud_fields.h"
 #include "io/pcd_header.h"
 #include <pcl_msf/cloud_conversions.h>
 #include <pcl_msf/errors.h>
@@ -25,10 +27,9 @@ void
 requireFields (const pcl::PCLPointCloud2& blob, const std::string& path)
 {
   using Field = pcl::PCLPointField;
-  const std::array<std::pair<const char*, int>, 9> wanted{{{"x", Field::FLOAT32},
+  const std::array<std::pair<const char*, int>, 8> wanted{{{"x", Field::FLOAT32},
                                                            {"y", Field::FLOAT32},
                                                            {"z", Field::FLOAT32},
-                                                           {"rgb", Field::FLOAT32},
                                                            {"dx", Field::FLOAT32},
                                                            {"dy", Field::FLOAT32},
                                                            {"dz", Field::FLOAT32},
@@ -48,6 +49,17 @@ requireFields (const pcl::PCLPointCloud2& blob, const std::string& path)
     throw IoError (path + ": HEIGHT: the cloud is not organized");
 }
 
+/** Colours, which PCL's own conversion drops when the file holds them as integers. */
+void
+takeColors (const pcl::PCLPointCloud2& blob,
+            const std::string& path,
+            pcl::PointCloud<PointXYZRGBFlow>& cloud)
+{
+  const CloudFields fields (blob, path);
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    cloud[i].rgba = fields.color (blob.data.data() + i * blob.point_step);
+}
+
 pcl::PointCloud<PointXYZRGBFlow>
 readPoints (const std::string& path)
 {
@@ -65,7 +77,11 @@ readPoints (const std::string& path)
     throw IoError (path + ": points: PCL cannot read them; the file is damaged");
   requireFields (blob, path);
   pcl::PointCloud<PointXYZRGBFlow> cloud;
+  const pcl::console::VERBOSITY_LEVEL before = pcl::console::getVerbosityLevel();
+  pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS); // it warns about colours
   pcl::fromPCLPointCloud2 (blob, cloud);
+  pcl::console::setVerbosityLevel (before);
+  takeColors (blob, path, cloud);
   return cloud;
 }
 
