@@ -14,7 +14,8 @@ endif ()
 set (pcl_msf_vtk_modules
   CommonCore CommonDataModel FiltersCore FiltersSources RenderingCore RenderingFreeType
   RenderingOpenGL2)
-find_package (VTK 9 QUIET COMPONENTS ${pcl_msf_vtk_modules})
+find_package (VTK 9 QUIET COMPONENTS
+  ${pcl_msf_vtk_modules} InteractionStyle InteractionWidgets)
 find_package (X11 QUIET)
 find_package (OpenGL QUIET COMPONENTS OpenGL GLX)
 find_package (OpenCV QUIET COMPONENTS core imgproc video imgcodecs videoio)

@@ -114,19 +114,20 @@ public:
   {}
 
   SceneFlow
-  to (const io::RgbdImages& images) const
+  to (const io::RgbdImages& images, const std::function<bool()>& go_on) const
   {
     FrameParameters target;
     target.normals = NormalMethod::None;
     SolverParameters solver;
-    solver.progress = [] (const Progress&) { return !interrupted(); };
+    solver.progress = [&go_on] (const Progress&) { return go_on(); };
     const SceneFlow flow =
         SceneFlowEstimator (EnergyParameters(), solver)
             .estimate (reference_,
                        RgbdFrame::fromImages (
                            images.color, images.depth, images.camera, target),
                        segments_);
-    throwIfInterrupted();
+    if (!go_on())
+      throw Interrupted();
     return flow;
   }
 
@@ -152,7 +153,7 @@ estimate (const RenderOptions& options)
     if (!options.quiet)
       std::fprintf (stderr, "scene flow from frame 0 to %d\n", k);
     const io::RgbdImages images = folder.frame (k);
-    SceneFlow flow = estimation.to (images);
+    SceneFlow flow = estimation.to (images, [] { return !interrupted(); });
     inputs.displacements.push_back (flow.displacement);
     if (k == options.frame) {
       takeCurrent (images, inputs.result);
@@ -163,6 +164,18 @@ estimate (const RenderOptions& options)
 }
 
 } // namespace
+
+visualization::ResultClouds
+estimatePair (const io::RgbdImages& reference,
+              const io::RgbdImages& current,
+              const std::function<bool()>& go_on)
+{
+  visualization::ResultClouds result;
+  result.scene_flow = Estimation (reference).to (current, go_on);
+  result.reference_color = reference.color;
+  takeCurrent (current, result);
+  return result;
+}
 
 RenderInputs
 loadRenderInputs (const RenderOptions& options)

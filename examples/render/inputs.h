@@ -5,8 +5,10 @@
 #include <opencv2/core.hpp>
 
 #include "render/options.h"
+#include <pcl_msf/io/rgbd_images.h>
 #include <pcl_msf/visualization/result_scenes.h>
 
+#include <functional>
 #include <vector>
 
 namespace pcl_msf::tool {
@@ -21,5 +23,12 @@ struct RenderInputs {
  * \throws IoError, InvalidInput, CommandLineError, Interrupted */
 RenderInputs
 loadRenderInputs (const RenderOptions& options);
+
+/** \brief Scene flow between two frames, with the default parameters.
+ * \param go_on asked after every iteration; false gives up with Interrupted */
+visualization::ResultClouds
+estimatePair (const io::RgbdImages& reference,
+              const io::RgbdImages& current,
+              const std::function<bool()>& go_on);
 
 } // namespace pcl_msf::tool

@@ -73,6 +73,8 @@ document.querySelectorAll("table.sortable").forEach(table => {
   });
   const columns = [...table.querySelectorAll("th.number")].map(head => head.cellIndex);
   if (columns.length === 0) return;
+  const varies = columns.find(column => new Set([...body.rows].map(
+    row => row.cells[column].textContent)).size > 1);
   const plot = document.createElement("div");
   plot.className = "plot";
   const choice = document.createElement("select");
@@ -80,6 +82,7 @@ document.querySelectorAll("table.sortable").forEach(table => {
     const option = document.createElement("option");
     option.value = column;
     option.textContent = table.rows[0].cells[column].textContent;
+    option.selected = column === varies;
     choice.append(option);
   });
   const picture = document.createElement("div");
@@ -95,8 +98,8 @@ document.querySelectorAll("table.sortable").forEach(table => {
   function draw() {
     const column = Number(choice.value), step = 22, left = 260, width = 820;
     const bars = [...body.rows].map(row => [
-      [...row.cells].filter(cell => !cell.classList.contains("number"))
-        .slice(0, 3).map(cell => cell.textContent).join(" ") || row.cells[0].textContent,
+      [...row.cells].slice(0, Math.max(1, columns[0])).map(cell => cell.textContent)
+        .join(" "),
       number(row.cells[column].textContent)]);
     const known = bars.map(bar => bar[1]).filter(value => isFinite(value));
     const most = Math.max(...known.map(Math.abs), 1e-12);

@@ -25,7 +25,7 @@ struct Strength {
 };
 
 // In the order in which they are drawn: what is rare comes last, on top.
-const std::array<Strength, 3> kStrengths{{{0.9, "together", {90, 200, 60}, 1},
+const std::array<Strength, 3> kStrengths{{{0.95, "together", {90, 200, 60}, 1},
                                           {0.5, "loose", {40, 220, 250}, 1},
                                           {0.0, "broken", {60, 60, 240}, 1}}};
 

@@ -19,6 +19,7 @@ constexpr double kTypicalShare = 0.99;
 constexpr double kPale = 0.6;        ///< share of white in the cloud behind arrows
 constexpr double kLeastShare = 0.03; ///< of the scale: shorter motion has no arrow
 constexpr double kArrowLength = 1.6; ///< of long arrows, in steps
+constexpr int kTimeMap = cv::COLORMAP_PLASMA;
 constexpr int kColorMap = cv::COLORMAP_TURBO;
 
 void
@@ -153,18 +154,18 @@ trajectoryScene (const ResultClouds& result,
     const auto& p = points.at<cv::Vec3f> (row, col);
     if (!isFinite (p))
       return;
-    Polyline line{{p}, {colorAt (0.0, kColorMap)}};
+    Polyline line{{p}, {colorAt (0.0, kTimeMap)}};
     for (int k = 0; k < frames; ++k) {
       const auto& d = displacements[k].at<cv::Vec3f> (row, col);
       if (!isFinite (d))
         break;
       line.points.push_back (p + static_cast<float> (enlarged) * d);
-      line.colors.push_back (colorAt ((k + 1.0) / frames, kColorMap));
+      line.colors.push_back (colorAt ((k + 1.0) / frames, kTimeMap));
     }
     if (line.points.size() > 1)
       scene.lines.push_back (line);
   });
-  scene.scale = ColorScale{0.0, static_cast<double> (frames), "frame", kColorMap};
+  scene.scale = ColorScale{0.0, static_cast<double> (frames), "frame", kTimeMap};
   return scene;
 }
 

@@ -195,8 +195,9 @@ private:
     const int factor = style.supersampling;
     renderer_->RemoveAllViewProps();
     const double line = kLineWidth * std::max (1.0, style.size.height / 480.0) * factor;
+    const bool has_marks = !scene.arrows.empty() || !scene.lines.empty();
     for (const PointSet& set : scene.points)
-      add (pointActor (set, factor * pointSize (set, view, style)));
+      add (pointActor (set, factor * pointSize (set, view, style), has_marks));
     add (lineActor (scene.lines, line));
     add (arrowActor (scene.arrows));
     const cv::Vec3b& b = style.background;

@@ -21,6 +21,8 @@ namespace pcl_msf::visualization {
 
 namespace {
 
+constexpr double kOffset = 4000.0; ///< of depth, in 2^-16 of its range
+
 bool
 isFinite (const cv::Vec3f& p)
 {
@@ -72,7 +74,7 @@ actorOf (vtkPolyDataMapper* mapper, bool lit)
 } // namespace
 
 vtkSmartPointer<vtkActor>
-pointActor (const PointSet& set, double pixels)
+pointActor (const PointSet& set, double pixels, bool behind)
 {
   if (set.positions.type() != CV_32FC3 || set.colors.type() != CV_8UC3 ||
       set.positions.size() != set.colors.size())
@@ -95,6 +97,10 @@ pointActor (const PointSet& set, double pixels)
   data->SetVerts (cells);
   auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
   mapper->SetInputData (data);
+  if (behind) { // what lies on the cloud is drawn over it
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyPointOffsetParameter (kOffset);
+  }
   auto actor = actorOf (mapper, false);
   actor->GetProperty()->SetPointSize (static_cast<float> (pixels));
   return actor;

@@ -19,9 +19,10 @@ struct DepthRange {
 };
 
 /** \brief Points as vertices; null when the set has none. \param pixels size of each
+ * \param behind moves them back a little, so that arrows and lines on them are seen
  * \throws InvalidInput when the images do not fit */
 vtkSmartPointer<vtkActor>
-pointActor (const PointSet& set, double pixels);
+pointActor (const PointSet& set, double pixels, bool behind);
 
 /** \brief Arrows as lit solids; null without arrows. */
 vtkSmartPointer<vtkActor>

@@ -76,8 +76,9 @@ cv::Mat
 flowError (const cv::Mat& flow, const cv::Mat& truth);
 
 /** \brief Connections between segments over an image: lines between their centroids,
- * green where they move together (weight at least 0.9), yellow where loosely (at least
- * 0.5), red where the connection is broken; with a legend below. */
+ * green where they move together (weight at least 0.95, as in motion groups), yellow
+ * where loosely (at least 0.5), red where the connection is broken; with a legend
+ * below. */
 cv::Mat
 weightsPicture (const cv::Mat& image, const SceneFlow& scene_flow);
 
