@@ -12,8 +12,7 @@ if (NOT "C" IN_LIST pcl_msf_enabled_languages) # Debian's VTK looks for MPI in C
 endif ()
 
 set (pcl_msf_vtk_modules
-  CommonCore CommonDataModel FiltersCore FiltersSources RenderingCore RenderingFreeType
-  RenderingOpenGL2)
+  CommonCore CommonDataModel RenderingCore RenderingFreeType RenderingOpenGL2)
 find_package (VTK 9 QUIET COMPONENTS
   ${pcl_msf_vtk_modules} InteractionStyle InteractionWidgets)
 find_package (X11 QUIET)

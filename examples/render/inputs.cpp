@@ -11,6 +11,7 @@
 #include <pcl_msf/oversegmentation.h>
 #include <pcl_msf/rgbd_frame.h>
 #include <pcl_msf/scene_flow_estimator.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -150,7 +151,7 @@ estimate (const RenderOptions& options)
   for (int k = 1; k <= last; ++k) {
     if (k != options.frame && k > options.window)
       continue;
-    if (!options.quiet)
+    if (!options.quiet && isatty (STDERR_FILENO) != 0)
       std::fprintf (stderr, "scene flow from frame 0 to %d\n", k);
     const io::RgbdImages images = folder.frame (k);
     SceneFlow flow = estimation.to (images, [] { return !interrupted(); });

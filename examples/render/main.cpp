@@ -9,6 +9,7 @@
 #include "render/options.h"
 #include "render/pictures.h"
 #include "scene_flow/interruption.h"
+#include <pcl_msf/io/folders.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -16,6 +17,7 @@
 
 namespace {
 
+using namespace pcl_msf;
 using namespace pcl_msf::tool;
 
 /** One line on stderr, whatever the message holds. */
@@ -45,6 +47,7 @@ main (int argc, char** argv)
       return 0;
     }
     noteSignals();
+    io::makeFolder (options.output); // before the work: it may be the wrong one
     const RenderInputs inputs = loadRenderInputs (options);
     for (const std::string& file : writeRenders (inputs, options))
       if (!options.quiet)

@@ -195,7 +195,7 @@ styleOptions (RenderOptions& o)
       {"--title", "0|1", "[1]", boolean (o.style.title)},
       {"--arrow-step",
        "PX",
-       "pixels between arrows or trajectories [16]",
+       "pixels between arrows or trajectories, 0 = as fit [0]",
        number (o.scene.arrow_step)},
       {"--arrow-scale",
        "FACTOR",
@@ -256,9 +256,8 @@ check (const RenderOptions& o)
     throw CommandLineError ("--" + why);
   if (o.frame < 1 || o.window < 0)
     throw CommandLineError ("--frame, --window: must be 1 or more");
-  if (o.scene.arrow_step < 1 || !(o.scene.arrow_scale >= 0.0))
-    throw CommandLineError (
-        "--arrow-step must be 1 or more, --arrow-scale not negative");
+  if (o.scene.arrow_step < 0 || !(o.scene.arrow_scale >= 0.0))
+    throw CommandLineError ("--arrow-step, --arrow-scale: must not be negative");
   if (!(o.field_of_view > 1.0 && o.field_of_view < 170.0) || !(o.zoom > 0.0))
     throw CommandLineError ("--field-of-view must be 1 to 170, --zoom above 0");
   if (o.view == ViewPreset::User && !o.eye)

@@ -212,7 +212,6 @@ private:
 std::vector<std::string>
 writeRenders (const RenderInputs& inputs, const RenderOptions& options)
 {
-  io::makeFolder (options.output);
   Studio studio (inputs, options);
   studio.writeKinds();
   if (options.animation != Animation::None)

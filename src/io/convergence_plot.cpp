@@ -65,7 +65,8 @@ public:
   int
   row (double value) const
   {
-    const double decade = value > 0.0 ? std::max (std::log10 (value), low_) : low_;
+    const double decade =
+        value > 0.0 ? std::clamp (std::log10 (value), low_, high_) : low_;
     return area_.y + cvRound (area_.height * (high_ - decade) / (high_ - low_));
   }
   int

@@ -18,6 +18,8 @@ namespace {
 constexpr double kTypicalShare = 0.99;
 constexpr double kPale = 0.6;        ///< share of white in the cloud behind arrows
 constexpr double kLeastShare = 0.03; ///< of the scale: shorter motion has no arrow
+constexpr double kMostAcross = 40.0; ///< arrows side by side
+constexpr double kLeastAcross = 18.0;
 constexpr double kArrowLength = 1.6; ///< of long arrows, in steps
 constexpr int kTimeMap = cv::COLORMAP_PLASMA;
 constexpr int kColorMap = cv::COLORMAP_TURBO;
@@ -25,8 +27,8 @@ constexpr int kColorMap = cv::COLORMAP_TURBO;
 void
 requireOptions (const SceneOptions& options)
 {
-  if (options.arrow_step < 1 || !(options.arrow_scale >= 0.0))
-    throw InvalidInput ("arrows: step must be 1 or more, scale not negative");
+  if (options.arrow_step < 0 || !(options.arrow_scale >= 0.0))
+    throw InvalidInput ("arrows: step and scale must not be negative");
 }
 
 /** The reference cloud, pale, as the ground that arrows stand on. */
@@ -59,23 +61,33 @@ colorAt (double share, int color_map)
   return color.at<cv::Vec3b> (0, 0);
 }
 
-/** 1, or more where long displacements are short in the sensor's pixels. */
-double
-automaticScale (const SceneFlow& flow, double end, int step)
+/** How arrows or paths are laid out over the picture. */
+struct Layout {
+  int step{16};         ///< pixels
+  double enlarged{1.0}; ///< times the displacement
+};
+
+/** As many as fit beside each other, enlarged where long ones were too short to see. */
+Layout
+layoutOf (const SceneFlow& flow, const SceneOptions& options, double end)
 {
   cv::Mat depth;
   cv::extractChannel (flow.points, depth, 2);
-  const double pixels = end * flow.camera.fx / percentile (depth, 0.5);
-  return pixels > 0.0 && std::isfinite (pixels)
-             ? std::clamp (roundLength (kArrowLength * step / pixels), 1.0, 100.0)
-             : 1.0;
-}
-
-double
-arrowScale (const SceneFlow& flow, const SceneOptions& options, double end)
-{
-  return options.arrow_scale > 0.0 ? options.arrow_scale
-                                   : automaticScale (flow, end, options.arrow_step);
+  const double width = flow.points.cols;
+  double pixels = end * flow.camera.fx / percentile (depth, 0.5);
+  if (!std::isfinite (pixels))
+    pixels = 0.0;
+  Layout layout{options.arrow_step, options.arrow_scale};
+  if (layout.step == 0)
+    layout.step = std::max (
+        1,
+        cvRound (std::clamp (0.5 * pixels, width / kMostAcross, width / kLeastAcross)));
+  if (layout.enlarged == 0.0)
+    layout.enlarged =
+        pixels > 0.0
+            ? std::clamp (roundLength (kArrowLength * layout.step / pixels), 1.0, 100.0)
+            : 1.0;
+  return layout;
 }
 
 /** A scale of lengths, in millimetres when metres were small numbers. */
@@ -115,18 +127,20 @@ arrowScene (const ResultClouds& result, const SceneOptions& options)
   const double end = scaleEnd (lengths (flow.displacement), options.maximum);
   Scene scene;
   scene.title = "displacement";
-  const double enlarged = arrowScale (flow, options, end);
-  if (enlarged != 1.0)
-    scene.title += cv::format (", arrows %g times as long", enlarged);
+  const Layout layout = layoutOf (flow, options, end);
+  if (layout.enlarged != 1.0)
+    scene.title += cv::format (", arrows %g times as long", layout.enlarged);
   scene.points.push_back (paleCloud (result));
-  forGrid (flow.points.size(), options.arrow_step, [&] (int row, int col) {
+  forGrid (flow.points.size(), layout.step, [&] (int row, int col) {
     const auto& p = flow.points.at<cv::Vec3f> (row, col);
     const auto& d = flow.displacement.at<cv::Vec3f> (row, col);
     const double length = cv::norm (d);
     if (!isFinite (p) || !isFinite (d) || length < kLeastShare * end)
       return;
-    const cv::Vec3f tip = p + static_cast<float> (enlarged) * d;
-    scene.arrows.push_back ({p, tip, colorAt (length / end, kColorMap)});
+    const cv::Vec3f tip = p + static_cast<float> (layout.enlarged) * d;
+    const double step_here = layout.step * p[2] / flow.camera.fx; // metres
+    scene.arrows.push_back (
+        {p, tip, colorAt (length / end, kColorMap), static_cast<float> (step_here)});
   });
   scene.scale = lengthScale (end);
   return scene;
@@ -143,14 +157,14 @@ trajectoryScene (const ResultClouds& result,
   const cv::Mat& points = result.scene_flow.points;
   const int frames = static_cast<int> (displacements.size());
   const SceneFlow& flow = result.scene_flow;
-  const double enlarged = arrowScale (
+  const Layout layout = layoutOf (
       flow, options, scaleEnd (lengths (displacements.back()), options.maximum));
   Scene scene;
   scene.title = "trajectories over " + std::to_string (frames + 1) + " frames";
-  if (enlarged != 1.0)
-    scene.title += cv::format (", %g times as long", enlarged);
+  if (layout.enlarged != 1.0)
+    scene.title += cv::format (", %g times as long", layout.enlarged);
   scene.points.push_back (paleCloud (result));
-  forGrid (points.size(), options.arrow_step, [&] (int row, int col) {
+  forGrid (points.size(), layout.step, [&] (int row, int col) {
     const auto& p = points.at<cv::Vec3f> (row, col);
     if (!isFinite (p))
       return;
@@ -159,7 +173,7 @@ trajectoryScene (const ResultClouds& result,
       const auto& d = displacements[k].at<cv::Vec3f> (row, col);
       if (!isFinite (d))
         break;
-      line.points.push_back (p + static_cast<float> (enlarged) * d);
+      line.points.push_back (p + static_cast<float> (layout.enlarged) * d);
       line.colors.push_back (colorAt ((k + 1.0) / frames, kTimeMap));
     }
     if (line.points.size() > 1)

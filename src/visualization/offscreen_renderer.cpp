@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "visualization/annotations.h"
+#include "visualization/projection.h"
 #include "visualization/vtk_actors.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/visualization/offscreen_renderer.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "visualization/vtk_actors.h"
+#include "visualization/projection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,19 +10,21 @@ namespace pcl_msf::visualization {
 
 namespace {
 
+constexpr double kArrowRadius = 0.25; ///< no arrow is thicker, in shares of its size
+
 /** Collects depths of points. */
 class Range {
 public:
   explicit Range (const View& view) : view_ (view) {}
 
   void
-  add (const cv::Vec3f& p)
+  add (const cv::Vec3f& p, double around = 0.0)
   {
     const double z = view_.toView ({p[0], p[1], p[2]}).z();
-    if (!std::isfinite (z))
+    if (!std::isfinite (z) || !std::isfinite (around))
       return;
-    low_ = std::min (low_, z);
-    high_ = std::max (high_, z);
+    low_ = std::min (low_, z - around);
+    high_ = std::max (high_, z + around);
   }
   DepthRange
   result () const
@@ -53,8 +55,10 @@ depthRange (const Scene& scene, const View& view)
       for (int col = 0; col < set.positions.cols; ++col)
         range.add (set.positions.at<cv::Vec3f> (row, col));
   for (const Arrow& arrow : scene.arrows) {
-    range.add (arrow.from);
-    range.add (arrow.to);
+    const double thick =
+        std::min (cv::norm (arrow.to - arrow.from), double{arrow.thickest});
+    range.add (arrow.from, kArrowRadius * thick);
+    range.add (arrow.to, kArrowRadius * thick);
   }
   for (const Polyline& line : scene.lines)
     for (const cv::Vec3f& p : line.points)

@@ -2,10 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "visualization/vtk_actors.h"
 
-#include <vtkArrowSource.h>
 #include <vtkCellArray.h>
-#include <vtkFloatArray.h>
-#include <vtkGlyph3D.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -13,63 +10,14 @@
 #include <vtkProperty.h>
 #include <vtkUnsignedCharArray.h>
 
+#include "visualization/vtk_vertices.h"
 #include <pcl_msf/errors.h>
-
-#include <cmath>
 
 namespace pcl_msf::visualization {
 
 namespace {
 
 constexpr double kOffset = 4000.0; ///< of depth, in 2^-16 of its range
-
-bool
-isFinite (const cv::Vec3f& p)
-{
-  return std::isfinite (p[0]) && std::isfinite (p[1]) && std::isfinite (p[2]);
-}
-
-/** Points and their colours as VTK has them. */
-class Vertices {
-public:
-  Vertices() { colors_->SetNumberOfComponents (3); }
-
-  vtkIdType
-  add (const cv::Vec3f& p, const cv::Vec3b& bgr)
-  {
-    const unsigned char rgb[] = {bgr[2], bgr[1], bgr[0]};
-    colors_->InsertNextTypedTuple (rgb);
-    return points_->InsertNextPoint (p[0], p[1], p[2]);
-  }
-  vtkIdType
-  size () const
-  {
-    return points_->GetNumberOfPoints();
-  }
-  vtkSmartPointer<vtkPolyData>
-  polyData () const
-  {
-    auto data = vtkSmartPointer<vtkPolyData>::New();
-    data->SetPoints (points_);
-    data->GetPointData()->SetScalars (colors_);
-    return data;
-  }
-
-private:
-  vtkSmartPointer<vtkPoints> points_ = vtkSmartPointer<vtkPoints>::New();
-  vtkSmartPointer<vtkUnsignedCharArray> colors_ =
-      vtkSmartPointer<vtkUnsignedCharArray>::New();
-};
-
-vtkSmartPointer<vtkActor>
-actorOf (vtkPolyDataMapper* mapper, bool lit)
-{
-  mapper->SetColorModeToDirectScalars();
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper (mapper);
-  actor->GetProperty()->SetLighting (lit);
-  return actor;
-}
 
 } // namespace
 
@@ -103,46 +51,6 @@ pointActor (const PointSet& set, double pixels, bool behind)
   }
   auto actor = actorOf (mapper, false);
   actor->GetProperty()->SetPointSize (static_cast<float> (pixels));
-  return actor;
-}
-
-vtkSmartPointer<vtkActor>
-arrowActor (const std::vector<Arrow>& arrows)
-{
-  Vertices vertices;
-  auto directions = vtkSmartPointer<vtkFloatArray>::New();
-  directions->SetNumberOfComponents (3);
-  directions->SetName ("direction");
-  for (const Arrow& arrow : arrows) {
-    const cv::Vec3f d = arrow.to - arrow.from;
-    if (!isFinite (arrow.from) || !isFinite (d))
-      continue;
-    vertices.add (arrow.from, arrow.color);
-    directions->InsertNextTypedTuple (d.val);
-  }
-  if (vertices.size() == 0)
-    return nullptr;
-  const auto data = vertices.polyData();
-  data->GetPointData()->AddArray (directions);
-  data->GetPointData()->SetActiveVectors ("direction");
-  auto shape = vtkSmartPointer<vtkArrowSource>::New();
-  shape->SetTipResolution (12);
-  shape->SetShaftResolution (8);
-  shape->SetShaftRadius (0.06);
-  shape->SetTipRadius (0.2);
-  shape->SetTipLength (0.42);
-  auto glyphs = vtkSmartPointer<vtkGlyph3D>::New();
-  glyphs->SetInputData (data);
-  glyphs->SetSourceConnection (shape->GetOutputPort());
-  glyphs->SetVectorModeToUseVector();
-  glyphs->SetScaleModeToScaleByVector();
-  glyphs->SetColorModeToColorByScalar();
-  glyphs->OrientOn();
-  auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-  mapper->SetInputConnection (glyphs->GetOutputPort());
-  auto actor = actorOf (mapper, true);
-  actor->GetProperty()->SetAmbient (0.45);
-  actor->GetProperty()->SetDiffuse (0.55);
   return actor;
 }
 

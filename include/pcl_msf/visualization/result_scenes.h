@@ -47,7 +47,8 @@ std::string
 toString (PictureKind kind);
 
 struct SceneOptions {
-  int arrow_step{16};      ///< pixels between arrows or trajectories, >= 1
+  int arrow_step{0};       ///< pixels between arrows or trajectories; 0 = as many as
+                           ///< fit beside each other
   double arrow_scale{0.0}; ///< arrows are so many times the displacement; 0 = 1, or 2,
                            ///< 5, 10, ... when they were too short to be seen
   double maximum{0.0};     ///< end of the colour scale; 0 = 99th percentile

@@ -20,7 +20,8 @@ struct PointSet {
 struct Arrow {
   cv::Vec3f from;
   cv::Vec3f to;
-  cv::Vec3b color; ///< BGR
+  cv::Vec3b color;      ///< BGR
+  float thickest{1e9F}; ///< arrows grow thicker with their length, up to this one
 };
 
 /** \brief A line through points, metres, with a colour (BGR) at each. */
