@@ -130,7 +130,7 @@ TEST (HtmlReport, EntryComesFromAFolder)
   flow.segments.resize (5);
   io::writeReport (folder ("runs/one/report.json"), flow, {});
   for (const char* name :
-       {"overview", "flicker_0_1_before", "flicker_0_1_after", "labels_0"})
+       {"overview", "flicker_0_1_before", "flicker_0_1_after", "flow_0_2", "labels_0"})
     io::writeImage (folder ("runs/one/" + std::string (name) + ".png"),
                     cv::Mat (4, 6, CV_8UC1, cv::Scalar (7)));
   const io::HtmlEntry entry = io::entryOfFolder (folder ("runs/one"));
@@ -139,8 +139,9 @@ TEST (HtmlReport, EntryComesFromAFolder)
       entry.numbers,
       ::testing::Contains (std::pair<std::string, std::string> ("segments", "5")));
   ASSERT_EQ (entry.comparisons.size(), 1U);
-  ASSERT_EQ (entry.pictures.size(), 1U) << "labels are data, no picture";
+  ASSERT_EQ (entry.pictures.size(), 2U) << "labels are data, no picture";
   EXPECT_EQ (entry.pictures[0].path, folder ("runs/one/overview.png"));
+  EXPECT_EQ (entry.pictures[1].caption, "optical flow, frame 2");
   EXPECT_THAT (io::resultFolders (folder ("runs")),
                ::testing::ElementsAre (folder ("runs/one")));
   EXPECT_TRUE (io::resultFolders (folder ("nothing")).empty());

@@ -4,17 +4,8 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "run_tool.h"
-#include "small_scene.h"
+#include "render_case.h"
 #include <gmock/gmock.h>
-#include <pcl_msf/io/result_files.h>
-#include <pcl_msf/io/text_files.h>
-#include <unistd.h>
-
-#include <chrono>
-#include <csignal>
-#include <functional>
-#include <thread>
 
 namespace {
 
@@ -22,73 +13,7 @@ using namespace pcl_msf;
 using namespace pcl_msf::testing;
 using ::testing::HasSubstr;
 
-namespace fs = std::filesystem;
-
-const std::string kTool = PCL_MSF_RENDER;
-
-/** A folder with two frames; the tool runs without a display. */
-class RenderTool : public ::testing::Test {
-protected:
-  RenderTool()
-  {
-    fs::create_directory (folder_ ("case"));
-    for (int k = 0; k < 2; ++k) {
-      const std::string number = std::to_string (k);
-      io::writeImage (folder_ ("case/color_" + number + ".png"), SmallScene::color (k));
-      io::writeDepth (
-          folder_ ("case/depth_" + number + ".png"), SmallScene::depth (k), 5000.0);
-    }
-    io::writeCamera (folder_ ("case/camera.txt"),
-                     {scene_.camera, SmallScene::kWidth, SmallScene::kHeight, 5000.0});
-  }
-  ToolRun
-  run (const std::string& arguments) const
-  {
-    return runTool (folder_, "env -u DISPLAY " + kTool + " " + arguments);
-  }
-  void
-  expectRefusal (const std::string& arguments, const std::string& words) const
-  {
-    const ToolRun refused = run (arguments);
-    EXPECT_EQ (refused.status, 1) << arguments;
-    EXPECT_EQ (refused.errorLines(), 1) << refused.err;
-    EXPECT_THAT (refused.err, HasSubstr (words));
-  }
-  cv::Mat
-  picture (const std::string& name) const
-  {
-    return cv::imread (folder_ ("out/" + name), cv::IMREAD_COLOR);
-  }
-
-  /** A stored result of the case, as pcl_msf_scene_flow writes it. */
-  void
-  writeResult () const
-  {
-    SceneFlow flow;
-    flow.camera = scene_.camera;
-    const cv::Size size (SmallScene::kWidth, SmallScene::kHeight);
-    const cv::Mat depth = SmallScene::depth (0);
-    flow.points.create (size, CV_32FC3);
-    flow.displacement = cv::Mat (size, CV_32FC3, cv::Scalar (0.02, 0, 0));
-    flow.labels = cv::Mat (size, CV_32SC1, cv::Scalar (0));
-    flow.visibility = cv::Mat (size, CV_8UC1, cv::Scalar (Visibility::Visible));
-    for (int row = 0; row < size.height; ++row)
-      for (int col = 0; col < size.width; ++col) {
-        const Eigen::Vector3f p =
-            scene_.camera.backProject (col, row, depth.at<float> (row, col))
-                .cast<float>();
-        flow.points.at<cv::Vec3f> (row, col) = {p.x(), p.y(), p.z()};
-      }
-    fs::create_directory (folder_ ("result"));
-    io::writeSceneFlowCloud (
-        folder_ ("result/scene_flow_0_1.pcd"), flow, SmallScene::color (0));
-  }
-
-  TemporaryFolder folder_;
-  SmallScene scene_;
-};
-
-TEST_F (RenderTool, DrawsEveryKindOfFrames)
+TEST_F (RenderCase, DrawsEveryKindOfFrames)
 {
   const ToolRun done =
       run (folder_ ("case") + " --kind all --window 1 --output " + folder_ ("out"));
@@ -118,7 +43,7 @@ TEST_F (RenderTool, DrawsEveryKindOfFrames)
 
 /** The sensor's view of the warped reference is the current image: the box has moved.
  */
-TEST_F (RenderTool, WarpedCloudLooksLikeTheCurrentImage)
+TEST_F (RenderCase, WarpedCloudLooksLikeTheCurrentImage)
 {
   const ToolRun done = run (folder_ ("case") +
                             " --kind warped --axes 0 --title 0 "
@@ -134,7 +59,7 @@ TEST_F (RenderTool, WarpedCloudLooksLikeTheCurrentImage)
   EXPECT_LT (to_current, 0.4 * to_reference);
 }
 
-TEST_F (RenderTool, DrawsStoredResultsWithViewsAndSizes)
+TEST_F (RenderCase, DrawsStoredResultsWithViewsAndSizes)
 {
   writeResult();
   ToolRun done = run (folder_ ("result") +
@@ -155,7 +80,7 @@ TEST_F (RenderTool, DrawsStoredResultsWithViewsAndSizes)
                  "bodies_0.png");
 }
 
-TEST_F (RenderTool, RefusesWhatItCannotDo)
+TEST_F (RenderCase, RefusesWhatItCannotDo)
 {
   expectRefusal (folder_ ("nothing"), "there is none of that name");
   expectRefusal (folder_ (""), "camera.txt");
@@ -170,19 +95,19 @@ TEST_F (RenderTool, RefusesWhatItCannotDo)
   EXPECT_EQ (run ("--help").status, 0);
 }
 
-TEST_F (RenderTool, NamesThePackageThatIsMissing)
+TEST_F (RenderCase, NamesThePackageThatIsMissing)
 {
   writeResult();
   const ToolRun refused =
       runTool (folder_,
-               "env -u DISPLAY PATH=/nonexistent " + kTool + " " + folder_ ("result") +
+               "env -u DISPLAY PATH=/nonexistent " + tool_ + " " + folder_ ("result") +
                    " --kind warped --output " + folder_ ("out"));
   EXPECT_EQ (refused.status, 1);
   EXPECT_EQ (refused.errorLines(), 1) << refused.err;
   EXPECT_THAT (refused.err, HasSubstr ("sudo apt-get install xvfb"));
 }
 
-TEST_F (RenderTool, AnimationsAreNumberedPictures)
+TEST_F (RenderCase, AnimationsAreNumberedPictures)
 {
   writeResult();
   const ToolRun done = run (folder_ ("result") +
@@ -198,80 +123,7 @@ TEST_F (RenderTool, AnimationsAreNumberedPictures)
   EXPECT_TRUE (picture ("warp/warp_0004.png").empty());
 }
 
-/** First word of a file of /proc that is about a process. */
-std::string
-processName (const fs::path& process)
-{
-  std::string name = readFile ((process / "comm").string());
-  return name.substr (0, name.find ('\n'));
-}
-
-/** Process ids of a process's children. */
-std::vector<std::string>
-childrenOf (const std::string& parent)
-{
-  std::vector<std::string> found;
-  for (const auto& entry : fs::directory_iterator ("/proc")) {
-    const std::string status = readFile ((entry.path() / "status").string());
-    if (status.find ("\nPPid:\t" + parent + "\n") != std::string::npos)
-      found.push_back (entry.path().filename().string());
-  }
-  return found;
-}
-
-bool
-waitFor (const std::function<bool()>& condition)
-{
-  for (int i = 0; i < 3000 && !condition(); ++i)
-    std::this_thread::sleep_for (std::chrono::milliseconds (10));
-  return condition();
-}
-
-TEST_F (RenderTool, SigtermLeavesNoDisplayAndNoHalfPicture)
-{
-  writeResult();
-  const pid_t tool = fork();
-  if (tool == 0) {
-    unsetenv ("DISPLAY");
-    execl (kTool.c_str(),
-           kTool.c_str(),
-           folder_ ("result").c_str(),
-           "--quiet",
-           "--animation",
-           "warp",
-           "--pictures",
-           "2000",
-           "--size",
-           "1280x960",
-           "--output",
-           folder_ ("out").c_str(),
-           nullptr);
-    _exit (127);
-  }
-  ASSERT_TRUE (
-      waitFor ([this] { return fs::exists (folder_ ("out/warp/warp_0002.png")); }));
-  std::string display;
-  for (const std::string& child : childrenOf (std::to_string (tool)))
-    if (processName ("/proc/" + child) == "Xvfb")
-      display = child;
-  ASSERT_FALSE (display.empty()) << "no Xvfb while drawing";
-  kill (tool, SIGTERM);
-  int status = 0;
-  waitpid (tool, &status, 0);
-  ASSERT_TRUE (WIFEXITED (status));
-  EXPECT_EQ (WEXITSTATUS (status), 128 + SIGTERM);
-  EXPECT_FALSE (fs::exists ("/proc/" + display) &&
-                processName ("/proc/" + display) == "Xvfb");
-  int pictures = 0;
-  for (const auto& entry : fs::directory_iterator (folder_ ("out/warp"))) {
-    EXPECT_EQ (entry.path().extension(), ".png") << entry.path();
-    EXPECT_FALSE (cv::imread (entry.path().string()).empty()) << entry.path();
-    ++pictures;
-  }
-  EXPECT_LT (pictures, 2000);
-}
-
-TEST_F (RenderTool, LiveWindowSaysThatItNeedsADisplay)
+TEST_F (RenderCase, LiveWindowSaysThatItNeedsADisplay)
 {
   const ToolRun refused = runTool (
       folder_, "env -u DISPLAY " + std::string (PCL_MSF_VIEW) + " " + folder_ ("case"));

@@ -2,11 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "visualization/annotations.h"
 #include <gmock/gmock.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/visualization/offscreen_renderer.h>
-#include <pcl_msf/visualization/picture_sheet.h>
 
 #include <cmath>
 #include <limits>
@@ -195,36 +193,6 @@ TEST (Renders, ParallelViewIgnoresDepth)
   EXPECT_EQ (drawn (picture), 2);
 }
 
-TEST (Renders, AnnotationsAreThereWhenAskedFor)
-{
-  PictureStyle style = bareStyle();
-  style.size = {320, 240};
-  style.background = {0, 0, 0};
-  Scene scene;
-  scene.title = "title";
-  scene.legend = {{kRed, "red things"}};
-  scene.scale = ColorScale{0.0, 2.0, "length [m]", 2};
-  const View view = sensorView (kCamera, kSize);
-  const cv::Vec3b black (0, 0, 0);
-  EXPECT_EQ (drawn (renderer().render (scene, view, style), black), 0) << "all off";
-  style.title = true;
-  const cv::Mat title = renderer().render (scene, view, style);
-  EXPECT_GT (drawn (title (cv::Rect (0, 0, 100, 30)), black), 20);
-  EXPECT_EQ (drawn (title.rowRange (40, 240), black), 0);
-  style.title = false;
-  style.legend = true;
-  const cv::Mat legend = renderer().render (scene, view, style);
-  cv::Mat red;
-  cv::inRange (legend, cv::Scalar (kRed), cv::Scalar (kRed), red);
-  EXPECT_GT (cv::countNonZero (red), 15) << "swatch";
-  EXPECT_GT (drawn (legend (cv::Rect (200, 190, 120, 50)), black), 200) << "scale";
-  style.legend = false;
-  style.axes = true;
-  const cv::Mat axes = renderer().render (scene, view, style);
-  EXPECT_GT (drawn (axes (cv::Rect (0, 190, 60, 50)), black), 20);
-  EXPECT_EQ (drawn (axes (cv::Rect (120, 0, 200, 240)), black), 0);
-}
-
 TEST (Renders, LargePicturesAndBadStyles)
 {
   Scene scene;
@@ -247,26 +215,6 @@ TEST (Renders, LargePicturesAndBadStyles)
   scene.points[0].colors = cv::Mat (2, 1, CV_8UC3);
   EXPECT_THROW (render (scene), InvalidInput);
   EXPECT_THROW (renderer().render (Scene(), View(), bareStyle()), InvalidInput);
-}
-
-TEST (Renders, RoundLengths)
-{
-  EXPECT_DOUBLE_EQ (roundLength (0.79), 0.5);
-  EXPECT_DOUBLE_EQ (roundLength (2.5), 2.0);
-  EXPECT_DOUBLE_EQ (roundLength (10.0), 10.0);
-  EXPECT_DOUBLE_EQ (roundLength (0.019), 0.01);
-}
-
-TEST (PictureSheet, TilesRowByRow)
-{
-  const cv::Mat red (30, 40, CV_8UC3, cv::Scalar (kRed));
-  const cv::Mat blue (60, 80, CV_8UC3, cv::Scalar (kBlue));
-  const cv::Mat sheet = pictureSheet ({red, blue, red}, 2, kWhite);
-  EXPECT_EQ (sheet.size(), cv::Size (84, 64));
-  EXPECT_EQ (sheet.at<cv::Vec3b> (10, 10), kRed);
-  EXPECT_EQ (sheet.at<cv::Vec3b> (10, 60), kBlue);
-  EXPECT_EQ (sheet.at<cv::Vec3b> (50, 10), kRed);
-  EXPECT_EQ (sheet.at<cv::Vec3b> (50, 60), kWhite);
 }
 
 } // namespace

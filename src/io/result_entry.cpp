@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
+#include <optional>
 
 namespace pcl_msf::io {
 
@@ -16,6 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kDeepest = 3;
+constexpr int kMostFrames = 32;
+constexpr const char* kFirstFrame = "_0_1";
 
 /** Pictures that have captions, in the order in which they are shown. */
 const std::vector<HtmlPicture>&
@@ -55,6 +57,25 @@ const std::array<std::array<const char*, 4>, 2> kComparisons{
       "flicker_0_1_after.png",
       "current frame, carried back"},
      {"before_tints.png", "before", "after_tints.png", "after warping"}}};
+
+/** A picture as a folder has it for a frame of a window; those that belong to none are
+ * the first frame's. Nothing when it is not there. */
+std::optional<HtmlPicture>
+pictureOf (const fs::path& folder, HtmlPicture picture, int frame)
+{
+  const std::size_t at = picture.path.find (kFirstFrame);
+  if (frame > 1) {
+    if (at == std::string::npos)
+      return {};
+    picture.path.replace (
+        at, std::string (kFirstFrame).size(), "_0_" + std::to_string (frame));
+    picture.caption += ", frame " + std::to_string (frame);
+  }
+  picture.path = (folder / picture.path).string();
+  if (!fs::exists (picture.path))
+    return {};
+  return picture;
+}
 
 std::string
 textOf (const cv::FileNode& node)
@@ -117,13 +138,17 @@ entryOfFolder (const std::string& folder)
     entry.name =
         fs::absolute (base).lexically_normal().parent_path().filename().string();
   entry.numbers = readNumbers ((base / "report.json").string());
-  for (const auto& [before, left, after, right] : kComparisons)
-    if (fs::exists (base / before) && fs::exists (base / after))
-      entry.comparisons.push_back (
-          {{(base / before).string(), left}, {(base / after).string(), right}});
-  for (const HtmlPicture& picture : knownPictures())
-    if (fs::exists (base / picture.path))
-      entry.pictures.push_back ({(base / picture.path).string(), picture.caption});
+  for (int frame = 1; frame <= kMostFrames; ++frame)
+    for (const auto& [before, left, after, right] : kComparisons) {
+      const auto one = pictureOf (base, {before, left}, frame);
+      const auto other = pictureOf (base, {after, right}, frame);
+      if (one && other)
+        entry.comparisons.push_back ({*one, *other});
+    }
+  for (const HtmlPicture& known : knownPictures())
+    for (int frame = 1; frame <= kMostFrames; ++frame)
+      if (const auto picture = pictureOf (base, known, frame))
+        entry.pictures.push_back (*picture);
   return entry;
 }
 

@@ -10,6 +10,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "visualization/annotations.h"
+#include "visualization/layer_sum.h"
+#include "visualization/point_size.h"
 #include "visualization/projection.h"
 #include "visualization/vtk_actors.h"
 #include <pcl_msf/errors.h>
@@ -26,82 +28,6 @@ namespace {
 
 constexpr int kLargestSide = 16384; ///< of OpenGL's textures, at least
 constexpr double kLineWidth = 1.6;  ///< of trajectories, pixels at 480 rows
-constexpr double kOverlap = 1.25;   ///< of automatic points, hides most gaps
-
-/** Distance between neighbouring points of an organized set in the picture, pixels:
- * the 75th percentile. 1 when nobody can tell. */
-double
-pointSpacing (const PointSet& set, const View& view)
-{
-  std::vector<double> spacing;
-  const cv::Mat& p = set.positions;
-  const int step = std::max (1, p.rows / 64);
-  for (int row = 0; row + 1 < p.rows; row += step)
-    for (int col = 0; col + 1 < p.cols; col += step) {
-      const auto& a = p.at<cv::Vec3f> (row, col);
-      const auto& b = p.at<cv::Vec3f> (row, col + 1);
-      const double d =
-          (view.project ({a[0], a[1], a[2]}) - view.project ({b[0], b[1], b[2]}))
-              .norm();
-      if (std::isfinite (d))
-        spacing.push_back (d);
-    }
-  if (spacing.empty())
-    return 1.0;
-  const auto nth = spacing.begin() + 3 * (static_cast<long> (spacing.size()) - 1) / 4;
-  std::nth_element (spacing.begin(), nth, spacing.end());
-  return *nth;
-}
-
-double
-pointSize (const PointSet& set, const View& view, const PictureStyle& style)
-{
-  if (style.point_size > 0.0)
-    return style.point_size;
-  const double largest = std::max (3.0, style.size.height / 120.0);
-  return std::clamp (kOverlap * pointSpacing (set, view), 1.0, largest);
-}
-
-/** Adds a layer to sums of its own colour and of its coverage. */
-void
-blend (const cv::Mat& layer,
-       const cv::Vec3b& background,
-       cv::Mat& color,
-       cv::Mat& coverage)
-{
-  if (color.empty()) {
-    color = cv::Mat::zeros (layer.size(), CV_32FC3);
-    coverage = cv::Mat::zeros (layer.size(), CV_32FC2);
-  }
-  for (int row = 0; row < layer.rows; ++row)
-    for (int col = 0; col < layer.cols; ++col) {
-      const auto& pixel = layer.at<cv::Vec4b> (row, col);
-      const float alpha = static_cast<float> (pixel[3]) / 255.0F;
-      auto& share = coverage.at<cv::Vec2f> (row, col);
-      share = {share[0] + alpha, std::max (share[1], alpha)};
-      for (int c = 0; c < 3; ++c) // the picture is alpha color + (1 - alpha) background
-        color.at<cv::Vec3f> (row, col)[c] +=
-            static_cast<float> (pixel[c]) - (1.0F - alpha) * background[c];
-    }
-}
-
-/** The mean of the layers' colours over the background. */
-cv::Mat
-blended (const cv::Mat& color, const cv::Mat& coverage, const cv::Vec3b& background)
-{
-  cv::Mat picture (color.size(), CV_8UC3, cv::Scalar (background));
-  for (int row = 0; row < color.rows; ++row)
-    for (int col = 0; col < color.cols; ++col) {
-      const auto& share = coverage.at<cv::Vec2f> (row, col);
-      if (!(share[0] > 0.0F))
-        continue;
-      for (int c = 0; c < 3; ++c)
-        picture.at<cv::Vec3b> (row, col)[c] = cv::saturate_cast<unsigned char> (
-            share[1] * color.at<cv::Vec3f> (row, col)[c] / share[0] +
-            (1.0F - share[1]) * background[c]);
-    }
-  return picture;
-}
 
 void
 setCamera (vtkCamera& camera, const View& view, const DepthRange& range)
@@ -174,15 +100,15 @@ public:
       cv::cvtColor (layer (scene, view, range, style), picture, cv::COLOR_BGRA2BGR);
       return picture;
     }
-    cv::Mat color, coverage;
+    LayerSum sum (style.background);
     for (const PointSet& set : scene.points) {
       Scene alone;
       alone.points = {set};
       alone.arrows = scene.arrows;
       alone.lines = scene.lines;
-      blend (layer (alone, view, range, style), style.background, color, coverage);
+      sum.add (layer (alone, view, range, style));
     }
-    return blended (color, coverage, style.background);
+    return sum.mean();
   }
 
 private:
