@@ -30,9 +30,9 @@ render --kind before_tints --kind after_tints
 render --kind arrows --kind motions --view orbit --zoom 1.25
 
 small () { # one picture, few enough colours to be small
-  convert "$1" "${@:3}" -strip -colors 200 +dither "PNG8:$source_dir/examples/pictures/$2"
+  convert "$1" "${@:3}" -strip +dither -colors 240 "PNG8:$source_dir/examples/pictures/$2"
 }
-small "$work/result/overview.png" overview.png -resize 980x
+small "$work/result/overview.png" overview.png -resize 900x
 for picture in before_tints after_tints arrows motions; do
   small "$work/$picture.png" "$picture.png"
 done
