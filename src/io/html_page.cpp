@@ -24,7 +24,7 @@ th[data-order="-1"]::after { content: " \25BC"; }
 .entry { display: flex; flex-wrap: wrap; gap: 24px; align-items: flex-start; }
 figure { margin: 0; }
 figcaption { color: var(--soft); font-size: 13px; }
-.comparison { width: 640px; max-width: 100%; }
+.comparison { width: 600px; max-width: 100%; }
 .stack { position: relative; background: #000; line-height: 0; }
 .stack img { width: 100%; }
 .stack img.after { position: absolute; left: 0; top: 0; height: 100%;

@@ -4,6 +4,7 @@
 #include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkRenderer.h>
+#include <vtkRenderingOpenGLConfigure.h>
 #include <vtkRenderWindow.h>
 #include <vtkWindowToImageFilter.h>
 
@@ -22,12 +23,27 @@
 #include <cmath>
 #include <vector>
 
+#ifdef VTK_OPENGL_HAS_EGL
+#include <vtkEGLRenderWindow.h>
+#endif
+
 namespace pcl_msf::visualization {
 
 namespace {
 
 constexpr int kLargestSide = 16384; ///< of OpenGL's textures, at least
 constexpr double kLineWidth = 1.6;  ///< of trajectories, pixels at 480 rows
+
+/** A window that needs no display where VTK has one (EGL; OSMesa is its default). */
+vtkSmartPointer<vtkRenderWindow>
+makeWindow ()
+{
+#ifdef VTK_OPENGL_HAS_EGL
+  return vtkSmartPointer<vtkEGLRenderWindow>::New();
+#else
+  return vtkSmartPointer<vtkRenderWindow>::New();
+#endif
+}
 
 void
 setCamera (vtkCamera& camera, const View& view, const DepthRange& range)
@@ -165,7 +181,7 @@ private:
   }
 
   VirtualDisplay display_;
-  vtkSmartPointer<vtkRenderWindow> window_ = vtkSmartPointer<vtkRenderWindow>::New();
+  vtkSmartPointer<vtkRenderWindow> window_ = makeWindow();
   vtkSmartPointer<vtkRenderer> renderer_ = vtkSmartPointer<vtkRenderer>::New();
 };
 

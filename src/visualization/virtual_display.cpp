@@ -16,7 +16,7 @@ namespace pcl_msf::visualization {
 
 namespace {
 
-#ifdef VTK_USE_X
+#if defined(VTK_USE_X) && !defined(VTK_OPENGL_HAS_EGL)
 constexpr bool kNeedsDisplay = true;
 #else
 constexpr bool kNeedsDisplay = false;
