@@ -4,6 +4,7 @@
 
 #include "core/joint_problem.h"
 #include "core/pose_coupling.h"
+#include "core/terms_callback.h"
 #include <ceres/iteration_callback.h>
 #include <ceres/solver.h>
 
@@ -17,12 +18,7 @@ namespace {
 /** Passes iterations on and ends the solve when the monitor says so. */
 class MonitorCallback : public ceres::IterationCallback {
 public:
-  MonitorCallback (SolveMonitor& monitor,
-                   const JointEnergy& energy,
-                   const MotionState& state,
-                   const EnergyCost& start)
-  : monitor_ (monitor), energy_ (energy), state_ (state), terms_ (start)
-  {}
+  explicit MonitorCallback (SolveMonitor& monitor) : monitor_ (monitor) {}
 
   ceres::CallbackReturnType
   operator() (const ceres::IterationSummary& summary) override
@@ -30,17 +26,12 @@ public:
     if (summary.iteration == 0)
       return monitor_.stopped() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
                                 : ceres::SOLVER_CONTINUE;
-    if (summary.step_is_successful) // the last sweep was at the new state
-      terms_ = energy_.presentCost (state_);
-    return monitor_.step (summary.cost, terms_) ? ceres::SOLVER_CONTINUE
-                                                : ceres::SOLVER_TERMINATE_SUCCESSFULLY;
+    return monitor_.step (summary.cost) ? ceres::SOLVER_CONTINUE
+                                        : ceres::SOLVER_TERMINATE_SUCCESSFULLY;
   }
 
 private:
   SolveMonitor& monitor_;
-  const JointEnergy& energy_;
-  const MotionState& state_;
-  EnergyCost terms_;
 };
 
 ceres::Solver::Options
@@ -61,7 +52,6 @@ solverOptions (const SolverParameters& solver, const SolveMonitor& monitor)
   options.gradient_tolerance = 0.0;
   options.max_solver_time_in_seconds = monitor.secondsLeft();
   options.logging_type = ceres::SILENT;
-  options.update_state_every_iteration = true; // the callback reads it
   options.num_threads = 1; // the sweep is parallel; the rest is small
   return options;
 }
@@ -153,9 +143,12 @@ JointEnergy::minimize (const SolverParameters& solver,
   relaxWeights (state);
   outcome.initial = evaluate (state);
   JointProblem problem (*this, state);
-  MonitorCallback callback (monitor, *this, state, outcome.initial);
+  MonitorCallback callback (monitor);
   ceres::Solver::Options options = solverOptions (solver, monitor);
-  options.callbacks.push_back (&callback);
+  monitor.noteTerms (outcome.initial);
+  TermsCallback terms (monitor, *this, state);
+  options.update_state_every_iteration = true; // for the terms
+  options.callbacks = {&terms, &callback};
   ceres::Solver::Summary summary;
   if (solver.max_iterations > 0 && !monitor.stopped())
     ceres::Solve (options, &problem.problem(), &summary);

@@ -27,11 +27,11 @@ SolveMonitor::enter (const char* stage, int level, double begin, double end, int
 }
 
 bool
-SolveMonitor::step (double cost, const EnergyCost& terms)
+SolveMonitor::step (double cost)
 {
   ++iterations_;
   done_ = std::min (done_ + 1, steps_);
-  history_.push_back ({progress_.level, cost, seconds(), terms});
+  history_.push_back ({progress_.level, cost, seconds(), terms_});
   progress_.iteration = iterations_;
   progress_.fraction = begin_ + (end_ - begin_) * done_ / steps_;
   progress_.cost = cost;
