@@ -18,6 +18,7 @@ install (FILES
   "${CMAKE_CURRENT_BINARY_DIR}/pcl_msf-config.cmake"
   "${CMAKE_CURRENT_BINARY_DIR}/pcl_msf-config-version.cmake"
   "${package_source_dir}/PclMsfPlainPcl.cmake"
+  "${package_source_dir}/PclMsfVtk.cmake"
   DESTINATION ${PCL_MSF_CONFIG_DIR})
 
 # A static library does not bring its own dependencies along: pkg-config has to name
@@ -47,4 +48,7 @@ set (CPACK_DEBIAN_PACKAGE_SECTION libdevel)
 set (CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set (CPACK_DEBIAN_PACKAGE_DEPENDS
   "libpcl-dev, libceres-dev, libopencv-dev, libopencv-contrib-dev")
+if (TARGET pcl_msf_visualization)
+  set (CPACK_DEBIAN_PACKAGE_RECOMMENDS "libvtk9-dev, xvfb")
+endif ()
 include (CPack)

@@ -49,7 +49,13 @@ bash "$source_dir/cmake/install_dependencies.sh"
 tests=()
 [ -f "$build_dir/CMakeCache.txt" ] || tests=(-DPCL_MSF_BUILD_TESTS=OFF)
 configure -DPCL_MSF_BUILD_EXAMPLES=ON "${tests[@]}"
-build pcl_msf_synthesize pcl_msf_scene_flow pcl_msf_flow_error
+build pcl_msf_synthesize pcl_msf_scene_flow pcl_msf_flow_error pcl_msf_report
+# Renders need VTK; without it everything else is there.
+renders=""
+if cmake --build "$build_dir" --target help | grep -q pcl_msf_render; then
+  renders=yes
+  build pcl_msf_render
+fi
 
 mkdir -p "$demo_dir"
 truth=""
@@ -74,13 +80,27 @@ if [ -n "$truth" ]; then
   echo
   echo "End-point error against the truth:"
   "$build_dir/examples/pcl_msf_flow_error" "$demo_dir/flow_0_1.flo" \
-    "$truth/flow_0_1.flo" "$truth/visible_0_1.png"
+    "$truth/flow_0_1.flo" "$truth/visible_0_1.png" "$demo_dir/error_0_1.png"
 fi
+if [ -z "$renders" ]; then
+  echo "No renders: VTK was not there when the build was configured (libvtk9-dev)"
+elif [ -n "$truth" ]; then
+  "$build_dir/examples/pcl_msf_render" "$demo_dir" --sequence "$sequence" --quiet \
+    --kind before_tints --kind after_tints --output "$demo_dir"
+else # the current frame is not at hand in the layout that a sequence has
+  "$build_dir/examples/pcl_msf_render" "$demo_dir" --quiet \
+    --kind warped --kind arrows --output "$demo_dir"
+fi
+"$build_dir/examples/pcl_msf_report" "$demo_dir" --title "pcl_msf demo" \
+  --output "$demo_dir/index.html" >/dev/null
 echo
 echo "Pictures in $demo_dir:"
 for picture in input_0:"the reference image" input_1:"the current image" \
   segments_0:"segments of the reference" flow_0_1:"optical flow, Middlebury colours" \
-  overlay_0_1:"the warped reference over the current image" overview:"all on one sheet"
+  overlay_0_1:"the warped reference over the current image" \
+  before_tints:"both clouds before alignment" after_tints:"both clouds after warping" \
+  warped:"the warped cloud" arrows:"displacement" \
+  overview:"all on one sheet" index:"all of it as a page for a browser"
 do
   for file in "$demo_dir/${picture%%:*}".*; do
     case "$file" in *.flo | *'*') ;; *) printf '  %-18s %s\n' "${file##*/}" "${picture#*:}" ;; esac

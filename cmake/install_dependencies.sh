@@ -6,7 +6,7 @@
 set -euo pipefail
 
 packages=(cmake g++ make libeigen3-dev libpcl-dev libceres-dev libopencv-dev
-          libopencv-contrib-dev)
+          libopencv-contrib-dev libvtk9-dev xvfb)
 case "${1:-}" in
   "") ;;
   --tests) packages+=(libgtest-dev libgmock-dev) ;;

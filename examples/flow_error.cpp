@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <pcl_msf/io/figures.h>
 #include <pcl_msf/io/float_files.h>
 #include <pcl_msf/io/images.h>
 
@@ -62,8 +63,9 @@ printErrors (const char* name,
 int
 main (int argc, char** argv)
 {
-  if (argc != 3 && argc != 4) {
-    std::fprintf (stderr, "usage: %s FLOW.flo TRUTH.flo [VISIBLE.png]\n", argv[0]);
+  if (argc < 3 || argc > 5) {
+    std::fprintf (
+        stderr, "usage: %s FLOW.flo TRUTH.flo [VISIBLE.png [ERROR.png]]\n", argv[0]);
     return 2;
   }
   try {
@@ -72,12 +74,16 @@ main (int argc, char** argv)
     if (flow.size() != truth.size())
       throw std::runtime_error ("the two flows differ in size");
     printErrors ("all points", flow, truth, {});
-    if (argc == 4) {
+    if (argc >= 4) {
       const cv::Mat visible = pcl_msf::io::readMask (argv[3]);
       if (visible.size() != truth.size())
         throw std::runtime_error (std::string (argv[3]) + ": no image of that size");
       printErrors ("visible points", flow, truth, visible);
     }
+    if (argc == 5)
+      pcl_msf::io::writeImage (
+          argv[4],
+          pcl_msf::io::scalarPicture (pcl_msf::io::flowError (flow, truth), 0.0, "px"));
   }
   catch (const std::exception& error) {
     std::fprintf (stderr, "%s: %s\n", argv[0], error.what());

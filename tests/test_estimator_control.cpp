@@ -53,6 +53,9 @@ TEST_F (Room, ReportTellsTheTruth)
   EXPECT_EQ (report.converged, report.stop_reason == StopReason::Converged);
   EXPECT_GT (report.iterations, 0);
   EXPECT_EQ (report.history.size(), static_cast<std::size_t> (report.iterations));
+  // A step's cost is taken before correspondences are renewed, its terms after.
+  for (const IterationRecord& record : report.history)
+    EXPECT_NEAR (record.terms.total(), record.cost, 0.05 * record.cost);
   EXPECT_LE (report.final_cost.total(), report.initial_cost.total());
   EXPECT_EQ (result.segments.size(), static_cast<std::size_t> (segments_.size()));
   for (const SegmentMotion& segment : result.segments)

@@ -21,6 +21,8 @@ writeData (const Outcome& o, const std::filesystem::path& folder)
   const auto path = [&folder] (const char* name) { return (folder / name).string(); };
   io::writeFlow (path ("flow_0_1.flo"), flow.flow);
   io::writeLabels (path ("labels_0.png"), flow.labels);
+  io::writeLabels (path ("bodies_0.png"), io::bodyImage (flow));
+  io::writeImage (path ("visibility_0_1.png"), flow.visibility);
   io::writeImage (path ("visible_0_1.png"), io::visibilityMask (flow.visibility));
   throwIfInterrupted();
   io::writeSceneFlowCloud (path ("scene_flow_0_1.pcd"), flow, o.reference_color);

@@ -17,6 +17,9 @@ namespace pcl_msf::tool {
 
 namespace {
 
+constexpr int kPlotWidth = 640;
+constexpr int kPlotHeight = 480;
+
 /** Writes pictures into a folder and keeps those for the overview. */
 class Album {
 public:
@@ -43,8 +46,7 @@ public:
   void
   writeOverview () const
   {
-    const int columns = pictures_.size() > 6 ? 5 : 3;
-    write ("overview.png", io::contactSheet (pictures_, columns, 384));
+    write ("overview.png", io::contactSheet (pictures_, 4, 480));
   }
 
 private:
@@ -61,17 +63,6 @@ residualPicture (const Outcome& o)
   const cv::Mat residual =
       io::brightnessResidual (o.reference_color, o.current_color, flow.flow);
   return io::scalarPicture (residual, 0.0, "grey levels of 255");
-}
-
-/** The flow's colours with their wheel in a corner. */
-cv::Mat
-flowWithLegend (const cv::Mat& colors)
-{
-  cv::Mat picture = colors.clone();
-  const int side = std::min (picture.cols, picture.rows) / 6;
-  if (side >= 8)
-    io::flowWheel (side).copyTo (picture (cv::Rect (0, 0, side, side)));
-  return picture;
 }
 
 /** Both frames over each other, the current one carried back by the flow. */
@@ -96,7 +87,7 @@ addFlow (Album& album, const cv::Mat& flow, double maximum)
   album.write ("flow_0_1.png", colors);
   std::ostringstream label;
   label << "optical flow, full colour " << std::setprecision (3) << full << " px";
-  album.show (label.str(), flowWithLegend (colors));
+  album.show (label.str(), io::flowPicture (flow, full));
 }
 
 } // namespace
@@ -108,7 +99,8 @@ writePictures (const Outcome& o, const Options& options)
   Album album (options.output);
   album.show ("reference", o.reference_color);
   album.show ("current", o.current_color);
-  album.show ("depth of the reference", io::depthPicture (o.reference_depth));
+  album.add (
+      "depth_0.png", "depth of the reference", io::depthPicture (o.reference_depth));
   album.add ("segments_0.png",
              std::to_string (flow.segments.size()) + " segments",
              io::segmentOverlay (o.reference_color, flow.labels));
@@ -116,13 +108,25 @@ writePictures (const Outcome& o, const Options& options)
   album.add ("motions_0.png",
              std::to_string (flow.bodies) + " motion groups",
              io::motionOverlay (o.reference_color, flow));
-  album.show ("visibility", io::visibilityPicture (o.reference_color, flow.visibility));
+  album.add ("occlusion_0_1.png",
+             "visibility",
+             io::visibilityPicture (o.reference_color, flow.visibility));
+  album.add ("weights_0.png",
+             "connections of segments",
+             io::weightsPicture (o.reference_color, flow));
   album.add ("residual_0_1.png", "residual", residualPicture (o));
   if (!o.reference_color.empty()) {
     album.show ("both frames before",
                 io::tintedOverlay (o.reference_color, o.current_color));
     album.add ("overlay_0_1.png", "both frames after", overlayAfter (o));
+    const io::FlickerPair flicker =
+        io::flickerPair (o.reference_color, o.current_color, flow.flow);
+    album.write ("flicker_0_1_before.png", flicker.before);
+    album.write ("flicker_0_1_after.png", flicker.after);
   }
+  album.add ("convergence.png",
+             "convergence",
+             io::convergencePlot (flow.report, {kPlotWidth, kPlotHeight}));
   album.writeOverview();
 }
 

@@ -81,6 +81,7 @@ struct IterationRecord {
   int level{0};
   double cost{0.0};
   double seconds{0.0};
+  EnergyCost terms; ///< of the state after the step, by term
 };
 
 /** \brief How a registration went. */

@@ -4,6 +4,7 @@
 
 #include "core/joint_problem.h"
 #include "core/pose_coupling.h"
+#include "core/terms_callback.h"
 #include <ceres/iteration_callback.h>
 #include <ceres/solver.h>
 
@@ -109,6 +110,12 @@ EnergyCost
 JointEnergy::evaluate (const MotionState& state)
 {
   data_.sweep (state, DataTerm::Pass::Linearize);
+  return presentCost (state);
+}
+
+EnergyCost
+JointEnergy::presentCost (const MotionState& state) const
+{
   EnergyCost cost;
   for (int k = 0; k < data_.pixels().segments(); ++k) {
     cost.brightness += data_.of (k).brightness_cost;
@@ -138,7 +145,10 @@ JointEnergy::minimize (const SolverParameters& solver,
   JointProblem problem (*this, state);
   MonitorCallback callback (monitor);
   ceres::Solver::Options options = solverOptions (solver, monitor);
-  options.callbacks.push_back (&callback);
+  monitor.noteTerms (outcome.initial);
+  TermsCallback terms (monitor, *this, state);
+  options.update_state_every_iteration = true; // for the terms
+  options.callbacks = {&terms, &callback};
   ceres::Solver::Summary summary;
   if (solver.max_iterations > 0 && !monitor.stopped())
     ceres::Solve (options, &problem.problem(), &summary);

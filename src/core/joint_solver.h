@@ -41,6 +41,10 @@ public:
   EnergyCost
   evaluate (const MotionState& state);
 
+  /** \brief As evaluate, with the data terms of the last sweep. */
+  EnergyCost
+  presentCost (const MotionState& state) const;
+
   /** \brief Sets every weight to its optimum for the present poses. */
   void
   relaxWeights (MotionState& state) const;

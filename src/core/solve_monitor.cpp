@@ -31,7 +31,7 @@ SolveMonitor::step (double cost)
 {
   ++iterations_;
   done_ = std::min (done_ + 1, steps_);
-  history_.push_back ({progress_.level, cost, seconds()});
+  history_.push_back ({progress_.level, cost, seconds(), terms_});
   progress_.iteration = iterations_;
   progress_.fraction = begin_ + (end_ - begin_) * done_ / steps_;
   progress_.cost = cost;

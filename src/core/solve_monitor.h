@@ -37,6 +37,13 @@ public:
   bool
   step (double cost);
 
+  /** \brief Energy by term that the next steps are recorded with. */
+  void
+  noteTerms (const EnergyCost& terms)
+  {
+    terms_ = terms;
+  }
+
   /** \brief True once cancelled or out of time. */
   bool
   stopped ();
@@ -66,6 +73,7 @@ private:
   int steps_{1};
   int done_{0};
   int iterations_{0};
+  EnergyCost terms_;
   StopReason reason_{StopReason::NotRun};
   std::vector<IterationRecord> history_;
 };

@@ -4,6 +4,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <iomanip>
 #include <locale>
 #include <sstream>
@@ -14,6 +15,13 @@ namespace {
 
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 constexpr double kFontPixels = 22.0; ///< height of the font's capitals at scale 1
+
+/** Thickness that goes with a height. */
+int
+strokes (int height)
+{
+  return std::max (1, cvRound (height / 11.0));
+}
 
 } // namespace
 
@@ -49,8 +57,14 @@ drawText (cv::Mat& picture,
           int height,
           const cv::Scalar& color)
 {
-  cv::putText (
-      picture, text, origin, kFont, height / kFontPixels, color, 1, cv::LINE_AA);
+  cv::putText (picture,
+               text,
+               origin,
+               kFont,
+               height / kFontPixels,
+               color,
+               strokes (height),
+               cv::LINE_AA);
   return textWidth (text, height);
 }
 
@@ -58,7 +72,9 @@ int
 textWidth (const std::string& text, int height)
 {
   int baseline = 0;
-  return cv::getTextSize (text, kFont, height / kFontPixels, 1, &baseline).width;
+  return cv::getTextSize (
+             text, kFont, height / kFontPixels, strokes (height), &baseline)
+      .width;
 }
 
 std::string

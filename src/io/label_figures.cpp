@@ -3,12 +3,10 @@
 #include <pcl/common/colors.h>
 
 #include "io/figure_parts.h"
+#include "io/motion_ranks.h"
 #include <pcl_msf/io/figures.h>
 
-#include <algorithm>
 #include <functional>
-#include <numeric>
-#include <vector>
 
 namespace pcl_msf::io {
 
@@ -63,28 +61,6 @@ overlay (const cv::Mat& image,
   return picture;
 }
 
-/** Motion groups by number of points, the dominant one first: rank of each body. */
-std::vector<int>
-bodyRanks (const SceneFlow& scene_flow)
-{
-  const int bodies = std::max (0, scene_flow.bodies);
-  std::vector<long> points (bodies, 0);
-  for (const SegmentMotion& segment : scene_flow.segments)
-    if (segment.body >= 0 && segment.body < bodies)
-      points[segment.body] += segment.points;
-  std::vector<int> order (bodies);
-  std::iota (order.begin(), order.end(), 0);
-  std::stable_sort (order.begin(), order.end(), [&] (int a, int b) {
-    if ((a == scene_flow.dominant_body) != (b == scene_flow.dominant_body))
-      return a == scene_flow.dominant_body;
-    return points[a] > points[b];
-  });
-  std::vector<int> rank (bodies);
-  for (int i = 0; i < bodies; ++i)
-    rank[order[i]] = i;
-  return rank;
-}
-
 } // namespace
 
 cv::Mat
@@ -96,19 +72,9 @@ segmentOverlay (const cv::Mat& image, const cv::Mat& labels)
 cv::Mat
 motionOverlay (const cv::Mat& image, const SceneFlow& scene_flow)
 {
-  const std::vector<int> ranks = bodyRanks (scene_flow);
-  const int undetermined = static_cast<int> (ranks.size());
-  cv::Mat groups = scene_flow.labels.clone();
-  for (int row = 0; row < groups.rows; ++row)
-    for (int col = 0; col < groups.cols; ++col) {
-      auto& label = groups.at<int> (row, col);
-      if (label < 0 || label >= static_cast<int> (scene_flow.segments.size()))
-        continue;
-      const SegmentMotion& segment = scene_flow.segments[label];
-      const bool known = segment.status != MotionStatus::Undetermined &&
-                         segment.body >= 0 && segment.body < undetermined;
-      label = known ? ranks[segment.body] : undetermined;
-    }
+  const MotionRanks ranks (scene_flow);
+  const int undetermined = ranks.undetermined();
+  const cv::Mat groups = ranks.image (scene_flow.labels);
   // Colours stand out on grey only.
   const cv::Mat gray = image.empty() ? image : asGray (image);
   return overlay (gray, groups, [undetermined] (int group) -> cv::Vec3b {

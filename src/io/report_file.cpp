@@ -5,6 +5,7 @@
 #include <pcl_msf/io/result_files.h>
 
 #include <algorithm>
+#include <vector>
 
 namespace pcl_msf::io {
 
@@ -50,6 +51,24 @@ addCost (JsonText& json, const EnergyCost& initial, const EnergyCost& final)
 }
 
 void
+addHistory (JsonText& json, const std::vector<IterationRecord>& history)
+{
+  json.openArray ("history");
+  for (const IterationRecord& record : history) {
+    json.openObject();
+    json.integer ("level", record.level);
+    json.number ("cost", record.cost);
+    json.number ("brightness", record.terms.brightness);
+    json.number ("icp", record.terms.icp);
+    json.number ("regularizer", record.terms.regularizer);
+    json.number ("prior", record.terms.prior);
+    json.number ("seconds", record.seconds);
+    json.closeObject();
+  }
+  json.closeArray();
+}
+
+void
 addMatrix (JsonText& json, const char* name, const Eigen::Matrix4f& matrix)
 {
   json.openArray (name);
@@ -91,6 +110,7 @@ reportJson (const SceneFlow& flow, const RunSeconds& seconds, int frames)
   json.string ("message", report.message);
   addSeconds (json, report, seconds);
   addCost (json, report.initial_cost, report.final_cost);
+  addHistory (json, report.history);
   addMatrix (json, "dominant_motion", flow.dominant_motion.matrix());
   json.closeObject();
   return json.text();

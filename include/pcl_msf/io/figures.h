@@ -65,6 +65,38 @@ depthResidual (const SceneFlow& scene_flow, const cv::Mat& current_depth);
 cv::Mat
 tintedOverlay (const cv::Mat& first, const cv::Mat& second);
 
+/** \brief Optical flow in Middlebury colours, the wheel with its length in a corner.
+ * \param flow CV_32FC2, pixels, NaN = black \param maximum as in flowColors */
+cv::Mat
+flowPicture (const cv::Mat& flow, double maximum = 0.0);
+
+/** \brief Distance between two flows, pixels. \return CV_32FC1, NaN where either is
+ * unknown */
+cv::Mat
+flowError (const cv::Mat& flow, const cv::Mat& truth);
+
+/** \brief Connections between segments over an image: lines between their centroids,
+ * green where they move together (weight at least 0.95, as in motion groups), yellow
+ * where loosely (at least 0.5), red where the connection is broken; with a legend
+ * below. */
+cv::Mat
+weightsPicture (const cv::Mat& image, const SceneFlow& scene_flow);
+
+/** \brief Cost per term against iteration, on a logarithmic axis; bands show the
+ * pyramid levels. \param size pixels, at least 160 x 120 */
+cv::Mat
+convergencePlot (const Report& report, const cv::Size& size);
+
+/** \brief Two pictures to be shown in turn: the reference, and the current image as the
+ * reference sees it, black where the flow is unknown in both. Nothing jumps where the
+ * flow is right. */
+struct FlickerPair {
+  cv::Mat before; ///< CV_8UC3
+  cv::Mat after;  ///< CV_8UC3
+};
+FlickerPair
+flickerPair (const cv::Mat& reference, const cv::Mat& current, const cv::Mat& flow);
+
 /** \brief A picture with the words to stand over it. */
 struct LabelledPicture {
   std::string label;

@@ -27,6 +27,29 @@ writeWarpedCloud (const std::string& path,
                   const SceneFlow& scene_flow,
                   const cv::Mat& color);
 
+/** \brief A scene flow as a file holds it. */
+struct StoredSceneFlow {
+  SceneFlow scene_flow; ///< without poses, connections and report
+  cv::Mat color;        ///< of the reference, CV_8UC3 (BGR)
+};
+
+/** \brief Reads what writeSceneFlowCloud wrote.
+ *
+ * The camera comes from the points, the optical flow from camera and displacement, the
+ * segments are counted; points that are not seen in both frames are
+ * Visibility::Unknown, because the file does not say why. \throws IoError */
+StoredSceneFlow
+readSceneFlowCloud (const std::string& path);
+
+/** \brief Motion group of every pixel. \return CV_32SC1, -1 = none */
+cv::Mat
+bodyImage (const SceneFlow& scene_flow);
+
+/** \brief Gives the segments the motion groups of an image that bodyImage made: each
+ * the group of its first pixel. \throws InvalidInput when the sizes differ */
+void
+setBodies (const cv::Mat& bodies, SceneFlow& scene_flow);
+
 /** \brief Visibility as the mask that is written. \param visibility CV_8UC1, see
  * Visibility \return CV_8UC1, 255 = seen in both frames, 0 otherwise */
 cv::Mat

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# VTK and what else the component visualization needs. The installed config includes this
+# file, too. Sets PCL_MSF_VTK_TARGETS when all is there, PCL_MSF_VTK_PROBLEM when not.
+
+set (PCL_MSF_VTK_TARGETS "")
+set (PCL_MSF_VTK_PROBLEM "")
+get_property (pcl_msf_enabled_languages GLOBAL PROPERTY ENABLED_LANGUAGES)
+if (NOT "C" IN_LIST pcl_msf_enabled_languages) # Debian's VTK looks for MPI in C
+  set (PCL_MSF_VTK_PROBLEM
+    "VTK needs a project with the language C: project (<name> LANGUAGES C CXX)")
+  return ()
+endif ()
+
+set (pcl_msf_vtk_modules
+  CommonCore CommonDataModel RenderingCore RenderingFreeType RenderingOpenGL2)
+find_package (VTK 9 QUIET COMPONENTS
+  ${pcl_msf_vtk_modules} InteractionStyle InteractionWidgets)
+find_package (X11 QUIET)
+find_package (OpenGL QUIET COMPONENTS OpenGL GLX)
+find_package (OpenCV QUIET COMPONENTS core imgproc video imgcodecs videoio)
+if (NOT VTK_FOUND)
+  set (PCL_MSF_VTK_PROBLEM "VTK is missing: sudo apt-get install libvtk9-dev")
+elseif (NOT X11_FOUND OR NOT OpenGL_GLX_FOUND)
+  set (PCL_MSF_VTK_PROBLEM
+    "X11 or GLX is missing: sudo apt-get install libx11-dev libgl-dev")
+elseif (NOT TARGET opencv_videoio)
+  set (PCL_MSF_VTK_PROBLEM
+    "OpenCV's videoio is missing: sudo apt-get install libopencv-dev")
+else ()
+  list (TRANSFORM pcl_msf_vtk_modules PREPEND "VTK::" OUTPUT_VARIABLE PCL_MSF_VTK_TARGETS)
+endif ()

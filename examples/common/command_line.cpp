@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "common/command_line.h"
+
+#include <cstdio>
+
+namespace pcl_msf::tool {
+
+namespace {
+
+const CommandOption&
+findOption (const std::vector<CommandOption>& options, const std::string& name)
+{
+  for (const CommandOption& option : options)
+    if (option.name == name || (name == "-h" && option.name == "--help"))
+      return option;
+  throw CommandLineError (name + ": no such option; --help lists them");
+}
+
+} // namespace
+
+void
+CommandLine::read (int argc, const char* const* argv) const
+{
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word.rfind ("-", 0) != 0) {
+      take_word (word);
+      continue;
+    }
+    const std::size_t equals = word.find ('=');
+    const std::string name = word.substr (0, equals);
+    const CommandOption& option = findOption (options, name);
+    std::string value =
+        equals == std::string::npos ? std::string() : word.substr (equals + 1);
+    if (!option.argument.empty() && equals == std::string::npos) {
+      if (i + 1 >= argc)
+        throw CommandLineError (name + ": needs a value, " + option.argument);
+      value = argv[++i];
+    }
+    else if (option.argument.empty() && equals != std::string::npos)
+      throw CommandLineError (name + ": takes no value");
+    if (!option.set (value))
+      throw CommandLineError (name + ": '" + value + "' is no " + option.argument +
+                              "; " + option.help);
+  }
+}
+
+void
+CommandLine::printHelp() const
+{
+  std::printf ("%s\n\n", summary.c_str());
+  for (std::size_t i = 0; i < syntax.size(); ++i)
+    std::printf ("%s %s\n", i == 0 ? "Syntax:" : "    or:", syntax[i].c_str());
+  std::printf ("\n");
+  for (const CommandOption& option : options)
+    std::printf ("  %-16s %-14s %s\n",
+                 option.name.c_str(),
+                 option.argument.c_str(),
+                 option.help.c_str());
+}
+
+} // namespace pcl_msf::tool

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "render/options.h"
+#include <pcl_msf/io/rgbd_images.h>
+#include <pcl_msf/visualization/result_scenes.h>
+
+#include <functional>
+#include <vector>
+
+namespace pcl_msf::tool {
+
+/** \brief What there is to show. */
+struct RenderInputs {
+  visualization::ResultClouds result;
+  std::vector<cv::Mat> displacements; ///< frame 1, 2, ... of the window, CV_32FC3
+};
+
+/** \brief Reads a result folder, or estimates the scene flow of a folder with frames.
+ * \throws IoError, InvalidInput, CommandLineError, Interrupted */
+RenderInputs
+loadRenderInputs (const RenderOptions& options);
+
+/** \brief Scene flow between two frames, with the default parameters.
+ * \param go_on asked after every iteration; false gives up with Interrupted */
+visualization::ResultClouds
+estimatePair (const io::RgbdImages& reference,
+              const io::RgbdImages& current,
+              const std::function<bool()>& go_on);
+
+} // namespace pcl_msf::tool

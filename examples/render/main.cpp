@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+// Pictures of a scene flow in 3-D: result folders or frames in, PNG files out.
+#include <pcl/console/print.h>
+
+#include <opencv2/core/utils/logger.hpp>
+
+#include "render/inputs.h"
+#include "render/options.h"
+#include "render/pictures.h"
+#include "scene_flow/interruption.h"
+#include <pcl_msf/io/folders.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+
+namespace {
+
+using namespace pcl_msf;
+using namespace pcl_msf::tool;
+
+/** One line on stderr, whatever the message holds. */
+void
+complain (std::string message)
+{
+  std::replace (message.begin(), message.end(), '\n', ' ');
+  std::fprintf (stderr, "pcl_msf_render: %s\n", message.c_str());
+}
+
+} // namespace
+
+int
+main (int argc, char** argv)
+{
+  // Libraries' own messages would stand beside the one line that this tool promises.
+  cv::utils::logging::setLogLevel (cv::utils::logging::LOG_LEVEL_SILENT);
+  pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS);
+  try {
+    if (argc < 2) {
+      printRenderHelp();
+      return 1;
+    }
+    const RenderOptions options = parseRenderOptions (argc, argv);
+    if (options.help) {
+      printRenderHelp();
+      return 0;
+    }
+    noteSignals();
+    io::makeFolder (options.output); // before the work: it may be the wrong one
+    const RenderInputs inputs = loadRenderInputs (options);
+    for (const std::string& file : writeRenders (inputs, options))
+      if (!options.quiet)
+        std::printf ("%s\n", file.c_str());
+    return 0;
+  }
+  catch (const std::exception& e) {
+    complain (e.what());
+    return interrupted() ? interruptedStatus() : 1;
+  }
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "io/figure_parts.h"
+#include <pcl_msf/io/figures.h>
+#include <pcl_msf/io/flow_color.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl_msf::io {
+
+namespace {
+
+bool
+isKnown (const cv::Vec2f& flow)
+{
+  return std::isfinite (flow[0]) && std::isfinite (flow[1]);
+}
+
+} // namespace
+
+cv::Mat
+flowPicture (const cv::Mat& flow, double maximum)
+{
+  const double full = maximum > 0.0 ? maximum : flowLength (flow, 0.99);
+  cv::Mat picture = flowColors (flow, full);
+  const int side = std::min (picture.cols, picture.rows) / 6;
+  if (side < 24)
+    return picture;
+  const std::string words = shortNumber (full) + " px";
+  const int letters = std::max (9, side / 6);
+  const int width = std::max (side, textWidth (words, letters) + 6);
+  const cv::Rect place (0, 0, std::min (width, picture.cols), side + 2 * letters);
+  picture (place).setTo (cv::Scalar::all (255));
+  flowWheel (side).copyTo (
+      picture (cv::Rect ((place.width - side) / 2, 0, side, side)));
+  drawText (picture,
+            words,
+            {(width - textWidth (words, letters)) / 2, side + letters + letters / 2},
+            letters,
+            cv::Scalar::all (0));
+  return picture;
+}
+
+cv::Mat
+flowError (const cv::Mat& flow, const cv::Mat& truth)
+{
+  CV_Assert (flow.type() == CV_32FC2 && truth.type() == CV_32FC2 &&
+             flow.size() == truth.size());
+  cv::Mat error (
+      flow.size(), CV_32FC1, cv::Scalar (std::numeric_limits<float>::quiet_NaN()));
+  for (int row = 0; row < flow.rows; ++row)
+    for (int col = 0; col < flow.cols; ++col) {
+      const auto& a = flow.at<cv::Vec2f> (row, col);
+      const auto& b = truth.at<cv::Vec2f> (row, col);
+      if (isKnown (a) && isKnown (b))
+        error.at<float> (row, col) = std::hypot (a[0] - b[0], a[1] - b[1]);
+    }
+  return error;
+}
+
+FlickerPair
+flickerPair (const cv::Mat& reference, const cv::Mat& current, const cv::Mat& flow)
+{
+  FlickerPair pair{asBgr (reference, flow.size()),
+                   asBgr (warpToReference (current, flow), flow.size())};
+  CV_Assert (pair.before.size() == flow.size());
+  for (int row = 0; row < flow.rows; ++row)
+    for (int col = 0; col < flow.cols; ++col)
+      if (!isKnown (flow.at<cv::Vec2f> (row, col))) {
+        pair.before.at<cv::Vec3b> (row, col) = {0, 0, 0};
+        pair.after.at<cv::Vec3b> (row, col) = {0, 0, 0};
+      }
+  return pair;
+}
+
+} // namespace pcl_msf::io

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "visualization/vtk_actors.h"
+
+#include <vtkCellArray.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkUnsignedCharArray.h>
+
+#include "visualization/vtk_vertices.h"
+#include <pcl_msf/errors.h>
+
+namespace pcl_msf::visualization {
+
+namespace {
+
+constexpr double kOffset = 4000.0; ///< of depth, in 2^-16 of its range
+
+} // namespace
+
+vtkSmartPointer<vtkActor>
+pointActor (const PointSet& set, double pixels, bool behind)
+{
+  if (set.positions.type() != CV_32FC3 || set.colors.type() != CV_8UC3 ||
+      set.positions.size() != set.colors.size())
+    throw InvalidInput ("points: positions must be CV_32FC3 and colours CV_8UC3 of the "
+                        "same size");
+  Vertices vertices;
+  for (int row = 0; row < set.positions.rows; ++row)
+    for (int col = 0; col < set.positions.cols; ++col) {
+      const auto& p = set.positions.at<cv::Vec3f> (row, col);
+      if (isFinite (p))
+        vertices.add (p, set.colors.at<cv::Vec3b> (row, col));
+    }
+  if (vertices.size() == 0)
+    return nullptr;
+  const auto data = vertices.polyData();
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->InsertNextCell (static_cast<int> (vertices.size()));
+  for (vtkIdType i = 0; i < vertices.size(); ++i)
+    cells->InsertCellPoint (i);
+  data->SetVerts (cells);
+  auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+  mapper->SetInputData (data);
+  if (behind) { // what lies on the cloud is drawn over it
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyPointOffsetParameter (kOffset);
+  }
+  auto actor = actorOf (mapper, false);
+  actor->GetProperty()->SetPointSize (static_cast<float> (pixels));
+  return actor;
+}
+
+vtkSmartPointer<vtkActor>
+lineActor (const std::vector<Polyline>& lines, double pixels)
+{
+  Vertices vertices;
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  for (const Polyline& line : lines) {
+    if (line.points.size() != line.colors.size())
+      throw InvalidInput ("lines: as many colours as points are needed");
+    std::vector<vtkIdType> chain;
+    for (std::size_t i = 0; i < line.points.size(); ++i)
+      if (isFinite (line.points[i]))
+        chain.push_back (vertices.add (line.points[i], line.colors[i]));
+    if (chain.size() > 1)
+      cells->InsertNextCell (static_cast<vtkIdType> (chain.size()), chain.data());
+  }
+  if (cells->GetNumberOfCells() == 0)
+    return nullptr;
+  const auto data = vertices.polyData();
+  data->SetLines (cells);
+  auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+  mapper->SetInputData (data);
+  auto actor = actorOf (mapper, false);
+  actor->GetProperty()->SetLineWidth (static_cast<float> (pixels));
+  return actor;
+}
+
+} // namespace pcl_msf::visualization

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <vtkActor.h>
+#include <vtkSmartPointer.h>
+
+#include <pcl_msf/visualization/scene.h>
+
+#include <vector>
+
+namespace pcl_msf::visualization {
+
+/** \brief Points as vertices; null when the set has none. \param pixels size of each
+ * \param behind moves them back a little, so that arrows and lines on them are seen
+ * \throws InvalidInput when the images do not fit */
+vtkSmartPointer<vtkActor>
+pointActor (const PointSet& set, double pixels, bool behind);
+
+/** \brief Arrows as lit solids; null without arrows. */
+vtkSmartPointer<vtkActor>
+arrowActor (const std::vector<Arrow>& arrows);
+
+/** \brief Polylines; null without lines. \param pixels their width */
+vtkSmartPointer<vtkActor>
+lineActor (const std::vector<Polyline>& lines, double pixels);
+
+} // namespace pcl_msf::visualization
