@@ -196,7 +196,7 @@ TwoFrameSolve::mergeAndReassign (JointEnergy& energy, LevelData& level)
   state_ = mergeBodies (energy.data(), links_, rules, state_);
   const DataTerm sample (
       level.probes, level.texture, makeRules (energy_, level.probes), threads_);
-  reassignBodies (sample, links_, kSeparation, kReassignRounds, threads_, state_);
+  reassignBodies (energy.data(), sample, links_, kSeparation, kReassignRounds, threads_, state_);
 }
 
 void
