@@ -51,7 +51,7 @@ findInfluences (const SceneFlow& scene, bool blend)
     return scene.segments[k].status == MotionStatus::Determined;
   };
   for (const SegmentPair& pair : scene.pairs) {
-    const double strength = pair.weight * pair.weight;
+    const double strength = pair.mixing;
     if (strength < kLeastStrength)
       continue;
     const bool differ =

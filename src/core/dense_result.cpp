@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/dense_result.h"
 
+#include "core/soft_links.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
@@ -204,6 +206,14 @@ numberGroups (const MotionState& state, SceneFlow& result)
     result.dominant_motion = state.poses[largest];
 }
 
+double
+mixingOf (LinkEvidence evidence, double weight)
+{
+  if (evidence == LinkEvidence::None)
+    return weight * weight;
+  return evidence == LinkEvidence::Soft ? 1.0 : 0.0;
+}
+
 } // namespace
 
 void
@@ -211,6 +221,7 @@ fillSegments (const DataTerm& data,
               const std::vector<SegmentLink>& links,
               const MotionState& state,
               double residual_scale,
+              int threads,
               SceneFlow& result)
 {
   const int segments = data.pixels().segments();
@@ -218,12 +229,13 @@ fillSegments (const DataTerm& data,
   for (int k = 0; k < segments; ++k)
     fillOwnMotion (data, state, residual_scale, k, result.segments[k]);
   result.pairs.clear();
+  const auto evidence = judgeLinks (data, links, state, threads);
   for (std::size_t i = 0; i < links.size(); ++i) {
     const bool one_body =
         state.body_of[links[i].first] == state.body_of[links[i].second];
-    result.pairs.push_back ({links[i].first,
-                             links[i].second,
-                             one_body ? 1.0 : std::abs (state.weights[i])});
+    const double weight = one_body ? 1.0 : std::abs (state.weights[i]);
+    result.pairs.push_back (
+        {links[i].first, links[i].second, weight, mixingOf (evidence[i], weight)});
   }
   supportBodies (data, state, residual_scale, result.segments);
   spreadSupport (result.pairs, result.segments);

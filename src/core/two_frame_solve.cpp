@@ -208,7 +208,7 @@ TwoFrameSolve::finish (SceneFlow& result)
   data.sweep (state_, DataTerm::Pass::Linearize);
   result.camera = reference_.camera();
   result.labels = segments_.labels();
-  fillSegments (data, links_, state_, residualScale (pixels), result);
+  fillSegments (data, links_, state_, residualScale (pixels), threads_, result);
   fillPoints (data, current_.camera(), solver_.blend_motions, threads_, result);
   concludeReport (result);
   result.report.result_seconds = monitor_.seconds() - before;
