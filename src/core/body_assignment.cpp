@@ -13,7 +13,8 @@ namespace pcl_msf {
 namespace {
 
 constexpr double kMostlyHidden = 0.5;
-constexpr int kLargest = 6; // bodies that every segment tries
+constexpr int kLargest = 6;          // bodies that every segment tries
+constexpr double kBorderShare = 0.5; // of points that may land on a neighbour's place
 
 class Assignment {
 public:
@@ -77,19 +78,21 @@ Assignment::score (int segment, int body, const ClaimMap& claims) const
     others += together ? 0 : 1;
     supported |= together && seen_[n];
   }
-  static const double sep = getenv("SEP") ? atof(getenv("SEP")) : separation_;
   const double share =
       static_cast<double> (others) / std::max<std::size_t> (1, near.size());
   const DataTerm::Probe probe = data_.probe (segment, state_.poses[body]);
   const double hidden = supported ? 0.0 : probe.hidden * data_.unsupportedCost();
-  static const double th = getenv("TH") ? atof(getenv("TH")) : 0.5;
-  static const double tw = getenv("TW") ? atof(getenv("TW")) : 1.0;
-  const double taken = tw * std::max (0.0, claims.takenShare (data_, segment, body) - th) / (1.0 - th) * data_.rules().conflict_cost;
-  return probe.cost / std::max (probe.weight, 1e-12) + hidden + sep * share + taken;
+  const double taken =
+      std::max (0.0, claims.takenShare (data_, segment, body) - kBorderShare) /
+      (1.0 - kBorderShare) * data_.rules().conflict_cost;
+  return probe.cost / std::max (probe.weight, 1e-12) + hidden + separation_ * share +
+         taken;
 }
 
 int
-Assignment::choose (int segment, const std::vector<int>& largest, const ClaimMap& claims) const
+Assignment::choose (int segment,
+                    const std::vector<int>& largest,
+                    const ClaimMap& claims) const
 {
   std::vector<int> candidates = largest;
   for (const int n : neighbors_[segment])

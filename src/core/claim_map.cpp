@@ -11,9 +11,9 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kCell = 3;              // pixels
+constexpr int kCell = 3;               // pixels
 constexpr int kClaimsPerSegment = 256; // about one for two pixels
-constexpr float kLooksAlike = 2.5f;   // standard deviations
+constexpr float kLooksAlike = 2.5f;    // standard deviations
 
 /** Carries points of a segment to the current frame. */
 class Landing {
@@ -40,14 +40,28 @@ public:
       return false;
     texel_ = image_.texels + 2 * (static_cast<int> (std::lround (v)) * image_.width +
                                   static_cast<int> (std::lround (u)));
-    return texel_[1] > 0.0f && std::abs (texel_[1] - 1.0f / q.z()) < p_.depth_tolerance[i];
+    u_ = u;
+    v_ = v;
+    return texel_[1] > 0.0f &&
+           std::abs (texel_[1] - 1.0f / q.z()) < p_.depth_tolerance[i];
   }
 
   /** Whether the surface there looks like the point. */
   bool
   alike (int i) const
   {
-    return std::abs (texel_[0] - p_.intensity[i]) * p_.brightness_scale[i] < kLooksAlike;
+    const float u = std::clamp (u_, 0.0f, static_cast<float> (image_.width) - 1.001f);
+    const float v = std::clamp (v_, 0.0f, static_cast<float> (image_.height) - 1.001f);
+    const int u0 = static_cast<int> (u);
+    const int v0 = static_cast<int> (v);
+    const float a = u - static_cast<float> (u0);
+    const float b = v - static_cast<float> (v0);
+    const float* t = image_.texels + 2 * (v0 * image_.width + u0);
+    const float* s = t + 2 * image_.width;
+    const float intensity = (1.0f - b) * ((1.0f - a) * t[0] + a * t[2]) +
+                            b * ((1.0f - a) * s[0] + a * s[2]);
+    return std::abs (intensity - p_.intensity[i]) * p_.brightness_scale[i] <
+           kLooksAlike;
   }
 
 private:
@@ -56,6 +70,7 @@ private:
   const Eigen::Matrix3f rotation_;
   const Eigen::Vector3f translation_;
   const float* texel_{nullptr};
+  float u_{0.0f}, v_{0.0f};
 };
 
 } // namespace

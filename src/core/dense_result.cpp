@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/dense_result.h"
 
-#include "core/soft_links.h"
-
 #include <Eigen/Eigenvalues>
+
+#include "core/soft_links.h"
 
 #include <algorithm>
 #include <cmath>

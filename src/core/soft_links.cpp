@@ -65,9 +65,7 @@ LinkJudge::LinkJudge (const DataTerm& data, const MotionState& state)
 /** Cost of the brightness and the plane distance of a point, truncated; of one that
  * cannot be compared, the limit. */
 float
-LinkJudge::misfit (int i,
-                   const Eigen::Vector3f& q,
-                   const Eigen::Vector3f& normal) const
+LinkJudge::misfit (int i, const Eigen::Vector3f& q, const Eigen::Vector3f& normal) const
 {
   const SegmentPixels& p = data_.pixels();
   const kernel::Rules& rules = data_.rules();
@@ -136,8 +134,7 @@ LinkJudge::judge (const SegmentLink& link) const
   if (costs.points < kLeastSamples)
     return LinkEvidence::None;
   const double gain = (costs.own - costs.mixed) / costs.points;
-  static const double kc = getenv ("KCLEAR") ? atof (getenv ("KCLEAR")) : kClear;
-  if (std::abs (gain) < kc)
+  if (std::abs (gain) < kClear)
     return LinkEvidence::None;
   return gain > 0.0 ? LinkEvidence::Soft : LinkEvidence::Sharp;
 }

@@ -23,8 +23,8 @@ constexpr double kLeastIntensityNoise = 0.005;
 constexpr double kModelError = 0.15; // pixels that rigid segments leave unexplained
 constexpr double kRelativeDepthNoise = 0.003; // of inverse depth, beside the noise
 constexpr double kMergeAllowance = 10.0;      // per merge, in squared deviations
-constexpr double kMergePerPoint = 0.05;       // per point of the smaller body
-constexpr double kSeparation = 0.15; // mean cost that a body of one's own must save
+constexpr double kMergePerPoint = 0.08;       // per point of the smaller body
+constexpr double kSeparation = 0.25; // mean cost that a body of one's own must save
 constexpr int kStartRounds = 4;      // of proposals
 constexpr int kLaterRounds = 2;
 constexpr int kReassignRounds = 3;
@@ -180,6 +180,11 @@ TwoFrameSolve::refine (int at)
       outcome = energy.minimize (last, monitor_, state_);
     }
   }
+  if (at == 0 && solver_.merge_bodies) {
+    const MergeRules rules{
+        residualScale (level.pixels), kMergeAllowance, kMergePerPoint};
+    state_ = mergeBodies (energy.data(), links_, rules, state_);
+  }
   report_.final_cost = outcome.final;
   const double change = outcome.initial.total() - outcome.final.total();
   report_.converged =
@@ -196,7 +201,8 @@ TwoFrameSolve::mergeAndReassign (JointEnergy& energy, LevelData& level)
   state_ = mergeBodies (energy.data(), links_, rules, state_);
   const DataTerm sample (
       level.probes, level.texture, makeRules (energy_, level.probes), threads_);
-  reassignBodies (energy.data(), sample, links_, kSeparation, kReassignRounds, threads_, state_);
+  reassignBodies (
+      energy.data(), sample, links_, kSeparation, kReassignRounds, threads_, state_);
 }
 
 void
