@@ -6,6 +6,7 @@
 #include "core/body_merging.h"
 #include "core/dense_points.h"
 #include "core/dense_result.h"
+#include "core/hidden_segments.h"
 #include "core/pose_proposals.h"
 #include <omp.h>
 
@@ -180,10 +181,11 @@ TwoFrameSolve::refine (int at)
       outcome = energy.minimize (last, monitor_, state_);
     }
   }
-  if (at == 0 && solver_.merge_bodies) {
-    const MergeRules rules{
-        residualScale (level.pixels), kMergeAllowance, kMergePerPoint};
-    state_ = mergeBodies (energy.data(), links_, rules, state_);
+  if (at == 0) {
+    followNeighbors (energy.data(), links_, state_);
+    if (solver_.merge_bodies)
+      state_ = mergeBodies (energy.data(), links_, mergeRules (level), state_);
+    energy.relaxWeights (state_);
   }
   report_.final_cost = outcome.final;
   const double change = outcome.initial.total() - outcome.final.total();
@@ -194,11 +196,16 @@ TwoFrameSolve::refine (int at)
     finest_ = std::make_unique<LevelData> (std::move (level));
 }
 
+MergeRules
+TwoFrameSolve::mergeRules (const LevelData& level) const
+{
+  return {residualScale (level.pixels), kMergeAllowance, kMergePerPoint};
+}
+
 void
 TwoFrameSolve::mergeAndReassign (JointEnergy& energy, LevelData& level)
 {
-  const MergeRules rules{residualScale (level.pixels), kMergeAllowance, kMergePerPoint};
-  state_ = mergeBodies (energy.data(), links_, rules, state_);
+  state_ = mergeBodies (energy.data(), links_, mergeRules (level), state_);
   const DataTerm sample (
       level.probes, level.texture, makeRules (energy_, level.probes), threads_);
   reassignBodies (
