@@ -16,6 +16,8 @@ namespace pcl_msf {
 namespace {
 
 constexpr double kTogether = 0.95;   // lifting weight that makes a motion group
+constexpr double kSoft = 0.999;      // mixing that does
+constexpr int kSmallBody = 8;        // segments that a body of a soft surface has
 constexpr double kConnected = 0.5;   // lifting weight of a surviving connection
 constexpr double kSeenEnough = 0.15; // share of visible points that decides
 constexpr double kRankShare = 1e-5;  // of the largest eigenvalue
@@ -141,7 +143,8 @@ spreadSupport (const std::vector<SegmentPair>& pairs,
   }
 }
 
-/** Joins bodies over surviving connections: motion groups. */
+/** Joins bodies over surviving connections, and small ones that a soft surface bridges:
+ * motion groups. Joints of large rigid bodies stay apart. */
 std::vector<int>
 groupBodies (const MotionState& state, const std::vector<SegmentPair>& pairs)
 {
@@ -152,8 +155,15 @@ groupBodies (const MotionState& state, const std::vector<SegmentPair>& pairs)
       b = group[b];
     return b;
   };
+  std::vector<int> segments (state.poses.size(), 0);
+  for (const int b : state.body_of)
+    ++segments[b];
+  const auto small = [&] (int segment) {
+    return segments[state.body_of[segment]] <= kSmallBody;
+  };
   for (const SegmentPair& pair : pairs)
-    if (pair.weight >= kTogether) {
+    if (pair.weight >= kTogether ||
+        (pair.mixing >= kSoft && small (pair.first) && small (pair.second))) {
       const int a = root (state.body_of[pair.first]);
       const int b = root (state.body_of[pair.second]);
       group[std::max (a, b)] = std::min (a, b);
