@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/flow_hypotheses.h"
 
+#include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
 
 #include "core/rigid_fit.h"
@@ -128,6 +129,32 @@ estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current)
   return flow;
 }
 
+cv::Mat
+estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current)
+{
+  const int level = std::min<int> ({1,
+                                    static_cast<int> (reference.levels().size()) - 1,
+                                    static_cast<int> (current.levels().size()) - 1});
+  const cv::Mat& first = reference.levels()[level].inverse_depth;
+  const cv::Mat& second = current.levels()[level].inverse_depth;
+  double nearest = 0.0;
+  cv::minMaxLoc (first, nullptr, &nearest);
+  const double scale = 255.0 / std::max (nearest, 1e-6);
+  cv::Mat gray_first;
+  cv::Mat gray_second;
+  first.convertTo (gray_first, CV_8U, scale);
+  second.convertTo (gray_second, CV_8U, scale);
+  cv::Mat flow;
+  const auto dis = cv::DISOpticalFlow::create (cv::DISOpticalFlow::PRESET_MEDIUM);
+  dis->calc (gray_first, gray_second, flow);
+  if (level > 0) {
+    cv::resize (
+        flow, flow, {reference.width(), reference.height()}, 0, 0, cv::INTER_LINEAR);
+    flow *= 2.0;
+  }
+  return flow;
+}
+
 namespace {
 
 /** Intensities that the flow matches, at the level of the samples. */
@@ -139,6 +166,8 @@ matchIntensities (const cv::Mat& flow,
                   FlowHypotheses& result)
 {
   const cv::Mat& image = current.levels()[level].intensity;
+  if (image.empty())
+    return;
   const float scale = 1.0f / static_cast<float> (1 << level);
   for (std::size_t i = 0; i < pixels.pixel.size(); ++i) {
     const int x = pixels.pixel[i] % image.cols;

@@ -25,6 +25,11 @@ struct FlowHypotheses {
 cv::Mat
 estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current);
 
+/** \brief The same on the images of inverse depth, at half resolution: follows thin and
+ * textureless things in front of a background, and frames without colour. */
+cv::Mat
+estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current);
+
 /** \brief Lifts optical flow by depth and fits rigid motions (robustly).
  * \param flow full resolution
  * \param samples points of the reference at a level

@@ -122,26 +122,30 @@ TwoFrameSolve::start (const RigidPose& guess)
   state_ = MotionState::fromSegments (std::vector<RigidPose> (segments_.size(), guess),
                                       links_.size());
   common_poses_ = {guess, RigidPose{}};
-  FlowHypotheses flow;
+  std::vector<FlowHypotheses> flows;
+  const auto add = [&] (const cv::Mat& flow) {
+    flows.push_back (
+        hypothesesFromFlow (flow, current_, level.probes, at, noise_, guess, threads_));
+    const FlowHypotheses& last = flows.back();
+    common_poses_.insert (common_poses_.end(), last.bodies.begin(), last.bodies.end());
+  };
+  if (solver_.flow_proposals)
+    add (estimateDepthFlow (reference_, current_));
   if (solver_.flow_proposals && reference_.hasIntensity()) {
-    flow = hypothesesFromFlow (estimateOpticalFlow (reference_, current_),
-                               current_,
-                               level.probes,
-                               at,
-                               noise_,
-                               guess,
-                               threads_);
-    common_poses_.insert (common_poses_.end(), flow.bodies.begin(), flow.bodies.end());
+    add (estimateOpticalFlow (reference_, current_));
+    const FlowHypotheses& flow = flows.back();
     change_ = fitBrightnessChange (flow.pairs_reference, flow.pairs_current);
     for (float& intensity : level.probes.intensity)
       intensity = change_.gain * intensity + change_.offset;
   }
-  propose (level, flow, kStartRounds);
+  propose (level, flows, kStartRounds);
 }
 
 /** Lets segments jump to the common poses, their flow's and their neighbours'. */
 void
-TwoFrameSolve::propose (const LevelData& level, const FlowHypotheses& flow, int rounds)
+TwoFrameSolve::propose (const LevelData& level,
+                        const std::vector<FlowHypotheses>& flows,
+                        int rounds)
 {
   DataTerm data (
       level.probes, level.texture, makeRules (energy_, level.probes), threads_);
@@ -149,9 +153,10 @@ TwoFrameSolve::propose (const LevelData& level, const FlowHypotheses& flow, int 
   PoseProposals proposals (energy, links_, threads_);
   for (const RigidPose& pose : common_poses_)
     proposals.addCommon (pose);
-  for (std::size_t k = 0; k < flow.fitted.size(); ++k)
-    if (flow.fitted[k])
-      proposals.addOwn (static_cast<int> (k), flow.of_segment[k]);
+  for (const FlowHypotheses& flow : flows)
+    for (std::size_t k = 0; k < flow.fitted.size(); ++k)
+      if (flow.fitted[k])
+        proposals.addOwn (static_cast<int> (k), flow.of_segment[k]);
   proposals.run (rounds, state_);
 }
 
@@ -164,7 +169,7 @@ TwoFrameSolve::refine (int at)
       level.pixels, level.texture, makeRules (energy_, level.pixels), threads_);
   JointEnergy energy (data, links_, energy_, level.focal_length);
   if (at < kCoarsestLevel && state_.poses.size() == state_.body_of.size())
-    propose (level, FlowHypotheses{}, kLaterRounds);
+    propose (level, {}, kLaterRounds);
   // The finest level is about half of the work, the start a fifth.
   const double begin = at == 0 ? 0.5 : 0.5 - 0.15 * at;
   monitor_.enter (

@@ -39,7 +39,9 @@ private:
   void
   start (const RigidPose& guess);
   void
-  propose (const LevelData& level, const FlowHypotheses& flow, int rounds);
+  propose (const LevelData& level,
+           const std::vector<FlowHypotheses>& flows,
+           int rounds);
   void
   refine (int level);
   MergeRules
