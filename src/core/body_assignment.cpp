@@ -6,6 +6,7 @@
 #include "core/segment_graph.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace pcl_msf {
@@ -41,7 +42,7 @@ private:
   void
   lookWhoIsSeen (int threads);
   double
-  score (int segment, int body, const ClaimMap& claims) const;
+  score (int segment, int body, const ClaimMap& claims, double limit) const;
   int
   choose (int segment, const std::vector<int>& largest, const ClaimMap& claims) const;
 
@@ -68,7 +69,7 @@ Assignment::largestBodies() const
 }
 
 double
-Assignment::score (int segment, int body, const ClaimMap& claims) const
+Assignment::score (int segment, int body, const ClaimMap& claims, double limit) const
 {
   const auto& near = neighbors_[segment];
   int others = 0;
@@ -82,11 +83,14 @@ Assignment::score (int segment, int body, const ClaimMap& claims) const
       static_cast<double> (others) / std::max<std::size_t> (1, near.size());
   const DataTerm::Probe probe = data_.probe (segment, state_.poses[body]);
   const double hidden = supported ? 0.0 : probe.hidden * data_.unsupportedCost();
+  const double sum =
+      probe.cost / std::max (probe.weight, 1e-12) + hidden + separation_ * share;
+  if (sum >= limit)
+    return sum;
   const double taken =
       std::max (0.0, claims.takenShare (data_, segment, body) - kBorderShare) /
-      (1.0 - kBorderShare) * data_.rules().conflict_cost;
-  return probe.cost / std::max (probe.weight, 1e-12) + hidden + separation_ * share +
-         taken;
+      (1.0 - kBorderShare);
+  return sum + taken * data_.rules().conflict_cost;
 }
 
 int
@@ -101,9 +105,10 @@ Assignment::choose (int segment,
   candidates.erase (std::unique (candidates.begin(), candidates.end()),
                     candidates.end());
   int best = state_.body_of[segment];
-  double lowest = score (segment, best, claims);
+  double lowest =
+      score (segment, best, claims, std::numeric_limits<double>::infinity());
   for (const int body : candidates) {
-    const double s = score (segment, body, claims);
+    const double s = score (segment, body, claims, lowest);
     if (s < lowest) {
       lowest = s;
       best = body;

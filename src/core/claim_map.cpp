@@ -12,7 +12,7 @@ namespace pcl_msf {
 namespace {
 
 constexpr int kCell = 3;               // pixels
-constexpr int kClaimsPerSegment = 256; // about one for two pixels
+constexpr int kClaimsPerSegment = 128; // about one for four pixels
 constexpr float kLooksAlike = 2.5f;    // standard deviations
 
 /** Carries points of a segment to the current frame. */
@@ -38,8 +38,8 @@ public:
     if (!(u > -0.5f && v > -0.5f && u < static_cast<float> (image_.width) - 0.5f &&
           v < static_cast<float> (image_.height) - 0.5f))
       return false;
-    texel_ = image_.texels + 2 * (static_cast<int> (std::lround (v)) * image_.width +
-                                  static_cast<int> (std::lround (u)));
+    texel_ = image_.texels + 2 * (static_cast<int> (v + 0.5f) * image_.width +
+                                  static_cast<int> (u + 0.5f));
     u_ = u;
     v_ = v;
     return texel_[1] > 0.0f &&
@@ -98,8 +98,8 @@ ClaimMap::ClaimMap (const DataTerm& data, const MotionState& state)
 int
 ClaimMap::cellOf (float u, float v) const
 {
-  return (static_cast<int> (std::lround (v)) / kCell) * columns_ +
-         static_cast<int> (std::lround (u)) / kCell;
+  return (static_cast<int> (v + 0.5f) / kCell) * columns_ +
+         static_cast<int> (u + 0.5f) / kCell;
 }
 
 bool

@@ -30,6 +30,7 @@ SampleTable
 lift (const cv::Mat& flow,
       const RgbdFrame& current,
       const SegmentPixels& pixels,
+      const std::vector<char>& wanted,
       int level)
 {
   const cv::Mat& target = current.levels()[0].inverse_depth;
@@ -38,7 +39,8 @@ lift (const cv::Mat& flow,
   table.begin.push_back (0);
   table.samples.reserve (pixels.pixel.size());
   for (int k = 0; k < pixels.segments(); ++k) {
-    for (int i = pixels.begin[k]; i < pixels.begin[k + 1]; ++i) {
+    const int end = wanted[k] ? pixels.begin[k + 1] : pixels.begin[k];
+    for (int i = pixels.begin[k]; i < end; ++i) {
       const int x = std::min ((pixels.pixel[i] % width) << level, flow.cols - 1);
       const int y = std::min ((pixels.pixel[i] / width) << level, flow.rows - 1);
       const cv::Vec2f f = flow.at<cv::Vec2f> (y, x);
@@ -189,12 +191,13 @@ FlowHypotheses
 hypothesesFromFlow (const cv::Mat& flow,
                     const RgbdFrame& current,
                     const SegmentPixels& pixels,
+                    const std::vector<char>& wanted,
                     int level,
                     const NoiseModel& noise,
                     const RigidPose& start,
                     int threads)
 {
-  const SampleTable table = lift (flow, current, pixels, level);
+  const SampleTable table = lift (flow, current, pixels, wanted, level);
   const RigidFitOptions options{
       current.camera(), 2.0 * noise.inverse_depth, 2.0 * noise.relative_depth, 0.5, 6};
   FlowHypotheses result;

@@ -28,6 +28,7 @@ constexpr double kMergePerPoint = 0.08;       // per point of the smaller body
 constexpr double kSeparation = 0.25; // mean cost that a body of one's own must save
 constexpr int kStartRounds = 4;      // of proposals
 constexpr int kLaterRounds = 2;
+constexpr double kUnexplained = 0.4; // mean cost per residual after the first start
 constexpr int kReassignRounds = 3;
 constexpr int kLastIterations = 4; // after the last merge
 constexpr double kSettled =
@@ -112,7 +113,8 @@ TwoFrameSolve::residualScale (const SegmentPixels& pixels) const
   return count / std::max (alpha + beta, 1e-12);
 }
 
-/** Poses worth descending from: the guess, rest, and what optical flow suggests. */
+/** Poses worth descending from: the guess, rest, and what optical flow suggests; for
+ * segments that these leave unexplained, what the flow of the depth images suggests. */
 void
 TwoFrameSolve::start (const RigidPose& guess)
 {
@@ -122,42 +124,55 @@ TwoFrameSolve::start (const RigidPose& guess)
   state_ = MotionState::fromSegments (std::vector<RigidPose> (segments_.size(), guess),
                                       links_.size());
   common_poses_ = {guess, RigidPose{}};
-  std::vector<FlowHypotheses> flows;
-  const auto add = [&] (const cv::Mat& flow) {
-    flows.push_back (
-        hypothesesFromFlow (flow, current_, level.probes, at, noise_, guess, threads_));
-    const FlowHypotheses& last = flows.back();
-    common_poses_.insert (common_poses_.end(), last.bodies.begin(), last.bodies.end());
+  std::vector<char> wanted (segments_.size(), 1);
+  const auto lift = [&] (const cv::Mat& flow) {
+    return hypothesesFromFlow (
+        flow, current_, level.probes, wanted, at, noise_, guess, threads_);
   };
-  if (solver_.flow_proposals)
-    add (estimateDepthFlow (reference_, current_));
+  FlowHypotheses flow;
   if (solver_.flow_proposals && reference_.hasIntensity()) {
-    add (estimateOpticalFlow (reference_, current_));
-    const FlowHypotheses& flow = flows.back();
+    flow = lift (estimateOpticalFlow (reference_, current_));
     change_ = fitBrightnessChange (flow.pairs_reference, flow.pairs_current);
     for (float& intensity : level.probes.intensity)
       intensity = change_.gain * intensity + change_.offset;
   }
-  propose (level, flows, kStartRounds);
+  propose (level, flow, kStartRounds);
+  wanted = unexplained (level);
+  if (solver_.flow_proposals &&
+      std::find (wanted.begin(), wanted.end(), 1) != wanted.end())
+    propose (level, lift (estimateDepthFlow (reference_, current_)), kStartRounds);
 }
 
 /** Lets segments jump to the common poses, their flow's and their neighbours'. */
 void
-TwoFrameSolve::propose (const LevelData& level,
-                        const std::vector<FlowHypotheses>& flows,
-                        int rounds)
+TwoFrameSolve::propose (const LevelData& level, const FlowHypotheses& flow, int rounds)
 {
   DataTerm data (
       level.probes, level.texture, makeRules (energy_, level.probes), threads_);
   JointEnergy energy (data, links_, energy_, level.focal_length);
   PoseProposals proposals (energy, links_, threads_);
+  common_poses_.insert (common_poses_.end(), flow.bodies.begin(), flow.bodies.end());
   for (const RigidPose& pose : common_poses_)
     proposals.addCommon (pose);
-  for (const FlowHypotheses& flow : flows)
-    for (std::size_t k = 0; k < flow.fitted.size(); ++k)
-      if (flow.fitted[k])
-        proposals.addOwn (static_cast<int> (k), flow.of_segment[k]);
+  for (std::size_t k = 0; k < flow.fitted.size(); ++k)
+    if (flow.fitted[k])
+      proposals.addOwn (static_cast<int> (k), flow.of_segment[k]);
   proposals.run (rounds, state_);
+}
+
+/** Which segments do not fit the current frame at their present poses. */
+std::vector<char>
+TwoFrameSolve::unexplained (const LevelData& level) const
+{
+  const DataTerm data (
+      level.probes, level.texture, makeRules (energy_, level.probes), threads_);
+  std::vector<char> result (segments_.size(), 0);
+  for (int k = 0; k < segments_.size(); ++k) {
+    const DataTerm::Probe probe = data.probe (k, state_.poseOf (k));
+    result[k] = probe.cost + probe.hidden * probe.weight * data.unsupportedCost() >
+                kUnexplained * probe.weight;
+  }
+  return result;
 }
 
 /** Minimizes Eq. 5 on a level; at the two finest, segments that move as one merge. */
@@ -169,7 +184,7 @@ TwoFrameSolve::refine (int at)
       level.pixels, level.texture, makeRules (energy_, level.pixels), threads_);
   JointEnergy energy (data, links_, energy_, level.focal_length);
   if (at < kCoarsestLevel && state_.poses.size() == state_.body_of.size())
-    propose (level, {}, kLaterRounds);
+    propose (level, FlowHypotheses{}, kLaterRounds);
   // The finest level is about half of the work, the start a fifth.
   const double begin = at == 0 ? 0.5 : 0.5 - 0.15 * at;
   monitor_.enter (

@@ -39,9 +39,9 @@ private:
   void
   start (const RigidPose& guess);
   void
-  propose (const LevelData& level,
-           const std::vector<FlowHypotheses>& flows,
-           int rounds);
+  propose (const LevelData& level, const FlowHypotheses& flow, int rounds);
+  std::vector<char>
+  unexplained (const LevelData& level) const;
   void
   refine (int level);
   MergeRules
