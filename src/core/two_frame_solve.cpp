@@ -3,7 +3,7 @@
 #include "core/two_frame_solve.h"
 
 #include "core/body_assignment.h"
-#include "core/body_merging.h"
+#include "core/body_noise.h"
 #include "core/dense_points.h"
 #include "core/dense_result.h"
 #include "core/hidden_segments.h"
@@ -195,6 +195,8 @@ TwoFrameSolve::refine (int at)
   if (solver_.merge_bodies && at < kCoarsestLevel) {
     mergeAndReassign (energy, level);
     if (at == 0) {
+      data.sweep (state_, DataTerm::Pass::Linearize);
+      sharpenRigidBodies (data, state_, threads_, level.pixels);
       SolverParameters last = solver_;
       last.max_iterations = std::min (solver_.max_iterations, kLastIterations);
       monitor_.enter ("bodies", at, 0.8, 1.0, last.max_iterations);
