@@ -37,6 +37,8 @@ struct SegmentPair {
   int first{0};
   int second{0};
   double weight{1.0}; ///< w_{j,h} of Eq. 10 and 11: 1 = move together, 0 = let go
+  double mixing{1.0}; ///< [0, 1]: how much the points between both centres follow a
+                      ///< mean of both motions; 1 on a soft surface, 0 at an edge
 };
 
 /** \brief What a point's visibility image holds. */

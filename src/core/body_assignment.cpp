@@ -2,9 +2,11 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/body_assignment.h"
 
+#include "core/claim_map.h"
 #include "core/segment_graph.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace pcl_msf {
@@ -12,15 +14,18 @@ namespace pcl_msf {
 namespace {
 
 constexpr double kMostlyHidden = 0.5;
-constexpr int kLargest = 6; // bodies that every segment tries
+constexpr int kLargest = 6;          // bodies that every segment tries
+constexpr double kBorderShare = 0.5; // of points that may land on a neighbour's place
 
 class Assignment {
 public:
-  Assignment (const DataTerm& data,
+  Assignment (const DataTerm& dense,
+              const DataTerm& data,
               const std::vector<SegmentLink>& links,
               double separation,
               MotionState& state)
-  : data_ (data)
+  : dense_ (dense)
+  , data_ (data)
   , separation_ (separation)
   , state_ (state)
   , neighbors_ (neighborLists (links, data.pixels().segments()))
@@ -37,11 +42,12 @@ private:
   void
   lookWhoIsSeen (int threads);
   double
-  score (int segment, int body) const;
+  score (int segment, int body, const ClaimMap& claims, double limit) const;
   int
-  choose (int segment, const std::vector<int>& largest) const;
+  choose (int segment, const std::vector<int>& largest, const ClaimMap& claims) const;
 
-  const DataTerm& data_;
+  const DataTerm& dense_;
+  const DataTerm& data_; ///< a sample of it
   double separation_;
   MotionState& state_;
   std::vector<std::vector<int>> neighbors_;
@@ -63,7 +69,7 @@ Assignment::largestBodies() const
 }
 
 double
-Assignment::score (int segment, int body) const
+Assignment::score (int segment, int body, const ClaimMap& claims, double limit) const
 {
   const auto& near = neighbors_[segment];
   int others = 0;
@@ -77,11 +83,20 @@ Assignment::score (int segment, int body) const
       static_cast<double> (others) / std::max<std::size_t> (1, near.size());
   const DataTerm::Probe probe = data_.probe (segment, state_.poses[body]);
   const double hidden = supported ? 0.0 : probe.hidden * data_.unsupportedCost();
-  return probe.cost / std::max (probe.weight, 1e-12) + hidden + separation_ * share;
+  const double sum =
+      probe.cost / std::max (probe.weight, 1e-12) + hidden + separation_ * share;
+  if (sum >= limit)
+    return sum;
+  const double taken =
+      std::max (0.0, claims.takenShare (data_, segment, body) - kBorderShare) /
+      (1.0 - kBorderShare);
+  return sum + taken * data_.rules().conflict_cost;
 }
 
 int
-Assignment::choose (int segment, const std::vector<int>& largest) const
+Assignment::choose (int segment,
+                    const std::vector<int>& largest,
+                    const ClaimMap& claims) const
 {
   std::vector<int> candidates = largest;
   for (const int n : neighbors_[segment])
@@ -90,9 +105,10 @@ Assignment::choose (int segment, const std::vector<int>& largest) const
   candidates.erase (std::unique (candidates.begin(), candidates.end()),
                     candidates.end());
   int best = state_.body_of[segment];
-  double lowest = score (segment, best);
+  double lowest =
+      score (segment, best, claims, std::numeric_limits<double>::infinity());
   for (const int body : candidates) {
-    const double s = score (segment, body);
+    const double s = score (segment, body, claims, lowest);
     if (s < lowest) {
       lowest = s;
       best = body;
@@ -116,12 +132,13 @@ Assignment::round (int threads)
 {
   const std::vector<int> largest = largestBodies();
   lookWhoIsSeen (threads);
+  const ClaimMap claims (dense_, state_);
   std::vector<int> next (state_.body_of.size());
   const int segments = static_cast<int> (next.size());
   int changes = 0;
 #pragma omp parallel for schedule(dynamic, 8) num_threads(threads) reduction(+ : changes)
   for (int k = 0; k < segments; ++k) {
-    next[k] = choose (k, largest);
+    next[k] = choose (k, largest, claims);
     changes += next[k] != state_.body_of[k] ? 1 : 0;
   }
   state_.body_of.swap (next);
@@ -146,14 +163,15 @@ Assignment::dropEmptyBodies()
 } // namespace
 
 int
-reassignBodies (const DataTerm& data,
+reassignBodies (const DataTerm& dense,
+                const DataTerm& data,
                 const std::vector<SegmentLink>& links,
                 double separation,
                 int rounds,
                 int threads,
                 MotionState& state)
 {
-  Assignment assignment (data, links, separation, state);
+  Assignment assignment (dense, data, links, separation, state);
   int total = 0;
   for (int i = 0; i < rounds; ++i) {
     const int changes = assignment.round (threads);

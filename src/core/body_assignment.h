@@ -18,7 +18,8 @@ namespace pcl_msf {
  * depend on the order. Bodies without segments disappear.
  * \return how many changed */
 int
-reassignBodies (const DataTerm& data,
+reassignBodies (const DataTerm& dense,
+                const DataTerm& data,
                 const std::vector<SegmentLink>& links,
                 double separation,
                 int rounds,

@@ -14,6 +14,8 @@ namespace pcl_msf {
 
 namespace {
 
+constexpr int kLargest = 6; // bodies that every other one may join
+
 /** E (x) = 1/2 x' A x - h' x + const over the six pose parameters. */
 struct BodyQuadratic {
   Matrix6 a{Matrix6::Zero()};
@@ -67,6 +69,10 @@ private:
   consider (int a, int b);
   void
   merge (int a, int b);
+  void
+  mergeQueued ();
+  bool
+  considerLargest ();
 
   MergeRules rules_;
   MotionState state_;
@@ -156,8 +162,26 @@ Merger::merge (int a, int b)
     consider (std::min (a, n), std::max (a, n));
 }
 
-MotionState
-Merger::run()
+/** Offers every body to the largest ones, which it may not touch: furniture in front of
+ * a wall has only itself as neighbours. \return whether there is anything to merge */
+bool
+Merger::considerLargest()
+{
+  std::vector<int> order;
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    if (bodies_[b].alive)
+      order.push_back (static_cast<int> (b));
+  std::stable_sort (order.begin(), order.end(), [&] (int a, int b) {
+    return bodies_[a].points > bodies_[b].points;
+  });
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t j = 0; j < std::min<std::size_t> (i, kLargest); ++j)
+      consider (std::min (order[i], order[j]), std::max (order[i], order[j]));
+  return !queue_.empty();
+}
+
+void
+Merger::mergeQueued()
 {
   while (!queue_.empty()) {
     const Edge e = queue_.top();
@@ -168,6 +192,14 @@ Merger::run()
         second.version == e.second_version)
       merge (e.first, e.second);
   }
+}
+
+MotionState
+Merger::run()
+{
+  mergeQueued();
+  while (considerLargest())
+    mergeQueued();
   MotionState result = state_;
   result.poses.clear();
   std::vector<int> index (bodies_.size(), -1);

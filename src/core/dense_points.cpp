@@ -51,11 +51,11 @@ findInfluences (const SceneFlow& scene, bool blend)
     return scene.segments[k].status == MotionStatus::Determined;
   };
   for (const SegmentPair& pair : scene.pairs) {
-    const double strength = pair.weight * pair.weight;
+    const double strength = pair.mixing;
     if (strength < kLeastStrength)
       continue;
-    const bool differ =
-        scene.segments[pair.first].body != scene.segments[pair.second].body;
+    const bool differ = scene.segments[pair.first].current_from_reference.parameters !=
+                        scene.segments[pair.second].current_from_reference.parameters;
     if (usable (pair.second)) {
       influences[pair.first].push_back (influenceOf (scene, pair.second, strength));
       soft[pair.first] |= differ;

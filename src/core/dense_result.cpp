@@ -4,6 +4,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/soft_links.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,6 +16,8 @@ namespace pcl_msf {
 namespace {
 
 constexpr double kTogether = 0.95;   // lifting weight that makes a motion group
+constexpr double kSoft = 0.999;      // mixing that does
+constexpr int kSmallBody = 8;        // segments that a body of a soft surface has
 constexpr double kConnected = 0.5;   // lifting weight of a surviving connection
 constexpr double kSeenEnough = 0.15; // share of visible points that decides
 constexpr double kRankShare = 1e-5;  // of the largest eigenvalue
@@ -139,7 +143,8 @@ spreadSupport (const std::vector<SegmentPair>& pairs,
   }
 }
 
-/** Joins bodies over surviving connections: motion groups. */
+/** Joins bodies over surviving connections, and small ones that a soft surface bridges:
+ * motion groups. Joints of large rigid bodies stay apart. */
 std::vector<int>
 groupBodies (const MotionState& state, const std::vector<SegmentPair>& pairs)
 {
@@ -150,8 +155,15 @@ groupBodies (const MotionState& state, const std::vector<SegmentPair>& pairs)
       b = group[b];
     return b;
   };
+  std::vector<int> segments (state.poses.size(), 0);
+  for (const int b : state.body_of)
+    ++segments[b];
+  const auto small = [&] (int segment) {
+    return segments[state.body_of[segment]] <= kSmallBody;
+  };
   for (const SegmentPair& pair : pairs)
-    if (pair.weight >= kTogether) {
+    if (pair.weight >= kTogether ||
+        (pair.mixing >= kSoft && small (pair.first) && small (pair.second))) {
       const int a = root (state.body_of[pair.first]);
       const int b = root (state.body_of[pair.second]);
       group[std::max (a, b)] = std::min (a, b);
@@ -204,6 +216,14 @@ numberGroups (const MotionState& state, SceneFlow& result)
     result.dominant_motion = state.poses[largest];
 }
 
+double
+mixingOf (LinkEvidence evidence, double weight)
+{
+  if (evidence == LinkEvidence::None)
+    return weight * weight;
+  return evidence == LinkEvidence::Soft ? 1.0 : 0.0;
+}
+
 } // namespace
 
 void
@@ -211,6 +231,7 @@ fillSegments (const DataTerm& data,
               const std::vector<SegmentLink>& links,
               const MotionState& state,
               double residual_scale,
+              int threads,
               SceneFlow& result)
 {
   const int segments = data.pixels().segments();
@@ -218,12 +239,13 @@ fillSegments (const DataTerm& data,
   for (int k = 0; k < segments; ++k)
     fillOwnMotion (data, state, residual_scale, k, result.segments[k]);
   result.pairs.clear();
+  const auto evidence = judgeLinks (data, links, state, threads);
   for (std::size_t i = 0; i < links.size(); ++i) {
     const bool one_body =
         state.body_of[links[i].first] == state.body_of[links[i].second];
-    result.pairs.push_back ({links[i].first,
-                             links[i].second,
-                             one_body ? 1.0 : std::abs (state.weights[i])});
+    const double weight = one_body ? 1.0 : std::abs (state.weights[i]);
+    result.pairs.push_back (
+        {links[i].first, links[i].second, weight, mixingOf (evidence[i], weight)});
   }
   supportBodies (data, state, residual_scale, result.segments);
   spreadSupport (result.pairs, result.segments);

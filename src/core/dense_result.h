@@ -17,6 +17,7 @@ fillSegments (const DataTerm& data,
               const std::vector<SegmentLink>& links,
               const MotionState& state,
               double residual_scale,
+              int threads,
               SceneFlow& result);
 
 } // namespace pcl_msf

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/flow_hypotheses.h"
 
+#include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
 
 #include "core/rigid_fit.h"
@@ -29,6 +30,7 @@ SampleTable
 lift (const cv::Mat& flow,
       const RgbdFrame& current,
       const SegmentPixels& pixels,
+      const std::vector<char>& wanted,
       int level)
 {
   const cv::Mat& target = current.levels()[0].inverse_depth;
@@ -37,7 +39,8 @@ lift (const cv::Mat& flow,
   table.begin.push_back (0);
   table.samples.reserve (pixels.pixel.size());
   for (int k = 0; k < pixels.segments(); ++k) {
-    for (int i = pixels.begin[k]; i < pixels.begin[k + 1]; ++i) {
+    const int end = wanted[k] ? pixels.begin[k + 1] : pixels.begin[k];
+    for (int i = pixels.begin[k]; i < end; ++i) {
       const int x = std::min ((pixels.pixel[i] % width) << level, flow.cols - 1);
       const int y = std::min ((pixels.pixel[i] / width) << level, flow.rows - 1);
       const cv::Vec2f f = flow.at<cv::Vec2f> (y, x);
@@ -128,6 +131,32 @@ estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current)
   return flow;
 }
 
+cv::Mat
+estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current)
+{
+  const int level = std::min<int> ({1,
+                                    static_cast<int> (reference.levels().size()) - 1,
+                                    static_cast<int> (current.levels().size()) - 1});
+  const cv::Mat& first = reference.levels()[level].inverse_depth;
+  const cv::Mat& second = current.levels()[level].inverse_depth;
+  double nearest = 0.0;
+  cv::minMaxLoc (first, nullptr, &nearest);
+  const double scale = 255.0 / std::max (nearest, 1e-6);
+  cv::Mat gray_first;
+  cv::Mat gray_second;
+  first.convertTo (gray_first, CV_8U, scale);
+  second.convertTo (gray_second, CV_8U, scale);
+  cv::Mat flow;
+  const auto dis = cv::DISOpticalFlow::create (cv::DISOpticalFlow::PRESET_MEDIUM);
+  dis->calc (gray_first, gray_second, flow);
+  if (level > 0) {
+    cv::resize (
+        flow, flow, {reference.width(), reference.height()}, 0, 0, cv::INTER_LINEAR);
+    flow *= 2.0;
+  }
+  return flow;
+}
+
 namespace {
 
 /** Intensities that the flow matches, at the level of the samples. */
@@ -139,6 +168,8 @@ matchIntensities (const cv::Mat& flow,
                   FlowHypotheses& result)
 {
   const cv::Mat& image = current.levels()[level].intensity;
+  if (image.empty())
+    return;
   const float scale = 1.0f / static_cast<float> (1 << level);
   for (std::size_t i = 0; i < pixels.pixel.size(); ++i) {
     const int x = pixels.pixel[i] % image.cols;
@@ -160,12 +191,13 @@ FlowHypotheses
 hypothesesFromFlow (const cv::Mat& flow,
                     const RgbdFrame& current,
                     const SegmentPixels& pixels,
+                    const std::vector<char>& wanted,
                     int level,
                     const NoiseModel& noise,
                     const RigidPose& start,
                     int threads)
 {
-  const SampleTable table = lift (flow, current, pixels, level);
+  const SampleTable table = lift (flow, current, pixels, wanted, level);
   const RigidFitOptions options{
       current.camera(), 2.0 * noise.inverse_depth, 2.0 * noise.relative_depth, 0.5, 6};
   FlowHypotheses result;

@@ -25,15 +25,22 @@ struct FlowHypotheses {
 cv::Mat
 estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current);
 
+/** \brief The same on the images of inverse depth, at half resolution: follows thin and
+ * textureless things in front of a background, and frames without colour. */
+cv::Mat
+estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current);
+
 /** \brief Lifts optical flow by depth and fits rigid motions (robustly).
  * \param flow full resolution
  * \param samples points of the reference at a level
+ * \param wanted per segment, 0 = leave it out
  * \param level index of that level
  * \param start where the fits begin */
 FlowHypotheses
 hypothesesFromFlow (const cv::Mat& flow,
                     const RgbdFrame& current,
                     const SegmentPixels& samples,
+                    const std::vector<char>& wanted,
                     int level,
                     const NoiseModel& noise,
                     const RigidPose& start,

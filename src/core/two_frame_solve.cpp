@@ -3,9 +3,10 @@
 #include "core/two_frame_solve.h"
 
 #include "core/body_assignment.h"
-#include "core/body_merging.h"
+#include "core/body_noise.h"
 #include "core/dense_points.h"
 #include "core/dense_result.h"
+#include "core/hidden_segments.h"
 #include "core/pose_proposals.h"
 #include <omp.h>
 
@@ -23,10 +24,11 @@ constexpr double kLeastIntensityNoise = 0.005;
 constexpr double kModelError = 0.15; // pixels that rigid segments leave unexplained
 constexpr double kRelativeDepthNoise = 0.003; // of inverse depth, beside the noise
 constexpr double kMergeAllowance = 10.0;      // per merge, in squared deviations
-constexpr double kMergePerPoint = 0.05;       // per point of the smaller body
-constexpr double kSeparation = 0.15; // mean cost that a body of one's own must save
+constexpr double kMergePerPoint = 0.08;       // per point of the smaller body
+constexpr double kSeparation = 0.25; // mean cost that a body of one's own must save
 constexpr int kStartRounds = 4;      // of proposals
 constexpr int kLaterRounds = 2;
+constexpr double kUnexplained = 0.4; // mean cost per residual after the first start
 constexpr int kReassignRounds = 3;
 constexpr int kLastIterations = 4; // after the last merge
 constexpr double kSettled =
@@ -111,7 +113,8 @@ TwoFrameSolve::residualScale (const SegmentPixels& pixels) const
   return count / std::max (alpha + beta, 1e-12);
 }
 
-/** Poses worth descending from: the guess, rest, and what optical flow suggests. */
+/** Poses worth descending from: the guess, rest, and what optical flow suggests; for
+ * segments that these leave unexplained, what the flow of the depth images suggests. */
 void
 TwoFrameSolve::start (const RigidPose& guess)
 {
@@ -121,26 +124,28 @@ TwoFrameSolve::start (const RigidPose& guess)
   state_ = MotionState::fromSegments (std::vector<RigidPose> (segments_.size(), guess),
                                       links_.size());
   common_poses_ = {guess, RigidPose{}};
+  std::vector<char> wanted (segments_.size(), 1);
+  const auto lift = [&] (const cv::Mat& flow) {
+    return hypothesesFromFlow (
+        flow, current_, level.probes, wanted, at, noise_, guess, threads_);
+  };
   FlowHypotheses flow;
   if (solver_.flow_proposals && reference_.hasIntensity()) {
-    flow = hypothesesFromFlow (estimateOpticalFlow (reference_, current_),
-                               current_,
-                               level.probes,
-                               at,
-                               noise_,
-                               guess,
-                               threads_);
-    common_poses_.insert (common_poses_.end(), flow.bodies.begin(), flow.bodies.end());
+    flow = lift (estimateOpticalFlow (reference_, current_));
     change_ = fitBrightnessChange (flow.pairs_reference, flow.pairs_current);
     for (float& intensity : level.probes.intensity)
       intensity = change_.gain * intensity + change_.offset;
   }
-  if (given_start_.empty())
-    propose (level, flow, kStartRounds);
-  else {
+  if (!given_start_.empty()) {
     state_ = MotionState::fromSegments (given_start_, links_.size());
     common_poses_.clear();
+    return;
   }
+  propose (level, flow, kStartRounds);
+  wanted = unexplained (level);
+  if (solver_.flow_proposals &&
+      std::find (wanted.begin(), wanted.end(), 1) != wanted.end())
+    propose (level, lift (estimateDepthFlow (reference_, current_)), kStartRounds);
 }
 
 /** Lets segments jump to the common poses, their flow's and their neighbours'. */
@@ -151,12 +156,28 @@ TwoFrameSolve::propose (const LevelData& level, const FlowHypotheses& flow, int 
       level.probes, level.texture, makeRules (energy_, level.probes), threads_);
   JointEnergy energy (data, links_, energy_, level.focal_length);
   PoseProposals proposals (energy, links_, threads_);
+  common_poses_.insert (common_poses_.end(), flow.bodies.begin(), flow.bodies.end());
   for (const RigidPose& pose : common_poses_)
     proposals.addCommon (pose);
   for (std::size_t k = 0; k < flow.fitted.size(); ++k)
     if (flow.fitted[k])
       proposals.addOwn (static_cast<int> (k), flow.of_segment[k]);
   proposals.run (rounds, state_);
+}
+
+/** Which segments do not fit the current frame at their present poses. */
+std::vector<char>
+TwoFrameSolve::unexplained (const LevelData& level) const
+{
+  const DataTerm data (
+      level.probes, level.texture, makeRules (energy_, level.probes), threads_);
+  std::vector<char> result (segments_.size(), 0);
+  for (int k = 0; k < segments_.size(); ++k) {
+    const DataTerm::Probe probe = data.probe (k, state_.poseOf (k));
+    result[k] = probe.cost + probe.hidden * probe.weight * data.unsupportedCost() >
+                kUnexplained * probe.weight;
+  }
+  return result;
 }
 
 /** Minimizes Eq. 5 on a level; at the two finest, segments that move as one merge. */
@@ -179,11 +200,19 @@ TwoFrameSolve::refine (int at)
   if (solver_.merge_bodies && at < kCoarsestLevel) {
     mergeAndReassign (energy, level);
     if (at == 0) {
+      data.sweep (state_, DataTerm::Pass::Linearize);
+      sharpenRigidBodies (data, state_, threads_, level.pixels);
       SolverParameters last = solver_;
       last.max_iterations = std::min (solver_.max_iterations, kLastIterations);
       monitor_.enter ("bodies", at, 0.8, 1.0, last.max_iterations);
       outcome = energy.minimize (last, monitor_, state_);
     }
+  }
+  if (at == 0) {
+    followNeighbors (energy.data(), links_, state_);
+    if (solver_.merge_bodies)
+      state_ = mergeBodies (energy.data(), links_, mergeRules (level), state_);
+    energy.relaxWeights (state_);
   }
   report_.final_cost = outcome.final;
   const double change = outcome.initial.total() - outcome.final.total();
@@ -194,14 +223,20 @@ TwoFrameSolve::refine (int at)
     finest_ = std::make_unique<LevelData> (std::move (level));
 }
 
+MergeRules
+TwoFrameSolve::mergeRules (const LevelData& level) const
+{
+  return {residualScale (level.pixels), kMergeAllowance, kMergePerPoint};
+}
+
 void
 TwoFrameSolve::mergeAndReassign (JointEnergy& energy, LevelData& level)
 {
-  const MergeRules rules{residualScale (level.pixels), kMergeAllowance, kMergePerPoint};
-  state_ = mergeBodies (energy.data(), links_, rules, state_);
+  state_ = mergeBodies (energy.data(), links_, mergeRules (level), state_);
   const DataTerm sample (
       level.probes, level.texture, makeRules (energy_, level.probes), threads_);
-  reassignBodies (sample, links_, kSeparation, kReassignRounds, threads_, state_);
+  reassignBodies (
+      energy.data(), sample, links_, kSeparation, kReassignRounds, threads_, state_);
 }
 
 void
@@ -213,7 +248,7 @@ TwoFrameSolve::finish (SceneFlow& result)
   data.sweep (state_, DataTerm::Pass::Linearize);
   result.camera = reference_.camera();
   result.labels = segments_.labels();
-  fillSegments (data, links_, state_, residualScale (pixels), result);
+  fillSegments (data, links_, state_, residualScale (pixels), threads_, result);
   fillPoints (data, current_.camera(), solver_.blend_motions, threads_, result);
   concludeReport (result);
   result.report.result_seconds = monitor_.seconds() - before;

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/body_merging.h"
 #include "core/flow_hypotheses.h"
 #include "core/joint_solver.h"
 #include "core/level_data.h"
@@ -47,8 +48,12 @@ private:
   start (const RigidPose& guess);
   void
   propose (const LevelData& level, const FlowHypotheses& flow, int rounds);
+  std::vector<char>
+  unexplained (const LevelData& level) const;
   void
   refine (int level);
+  MergeRules
+  mergeRules (const LevelData& level) const;
   void
   mergeAndReassign (JointEnergy& energy, LevelData& level);
   void

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/body_noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr int kRigid = 8;               // segments that make a rigid body
+constexpr int kSamples = 4000;          // of a body
+constexpr double kMostBrightness = 3.0; // largest factors on the scales
+constexpr double kMostIcp = 10.0;
+constexpr double kMadToSigma = 1.4826;
+
+/** Sizes of a body's residuals, in standard deviations of the noise model. */
+struct Residuals {
+  std::vector<float> brightness;
+  std::vector<float> icp;
+};
+
+void
+addResiduals (
+    const DataTerm& data, const RigidPose& pose, int segment, int step, Residuals& out)
+{
+  const SegmentPixels& p = data.pixels();
+  const kernel::Image image = data.image();
+  const Eigen::Matrix3f r = pose.rotation().cast<float>();
+  const Eigen::Vector3f t = pose.translation().cast<float>();
+  for (int i = p.begin[segment]; i < p.begin[segment + 1]; i += step) {
+    if (!(data.active()[i] & kernel::kIcp))
+      continue;
+    const Eigen::Vector3f q = r * Eigen::Vector3f (p.x[i], p.y[i], p.z[i]) + t;
+    const float u = image.fx * q.x() / q.z() + image.cx;
+    const float v = image.fy * q.y() / q.z() + image.cy;
+    if (!(u >= 0.0f && v >= 0.0f && u < static_cast<float> (image.width - 1) &&
+          v < static_cast<float> (image.height - 1)))
+      continue;
+    const int u0 = static_cast<int> (u);
+    const int v0 = static_cast<int> (v);
+    const float a = u - static_cast<float> (u0);
+    const float b = v - static_cast<float> (v0);
+    const float* top = image.texels + 2 * (v0 * image.width + u0);
+    const float* low = top + 2 * image.width;
+    const float intensity = (1.0f - b) * ((1.0f - a) * top[0] + a * top[2]) +
+                            b * ((1.0f - a) * low[0] + a * low[2]);
+    const Eigen::Vector3f n = r * Eigen::Vector3f (p.nx[i], p.ny[i], p.nz[i]);
+    if (p.brightness_scale[i] > 0.0f)
+      out.brightness.push_back (std::abs (intensity - p.intensity[i]) *
+                                p.brightness_scale[i]);
+    if (p.icp_scale[i] > 0.0f)
+      out.icp.push_back (std::abs (n.dot (q) - data.planeOffsets()[i]) *
+                         p.icp_scale[i]);
+  }
+}
+
+/** One over the robust spread, in [1, limit]. */
+float
+sharpness (std::vector<float>& sizes, double limit)
+{
+  if (sizes.size() < 100)
+    return 1.0f;
+  std::nth_element (sizes.begin(), sizes.begin() + sizes.size() / 2, sizes.end());
+  const double spread = kMadToSigma * sizes[sizes.size() / 2];
+  return static_cast<float> (1.0 / std::clamp (spread, 1.0 / limit, 1.0));
+}
+
+} // namespace
+
+void
+sharpenRigidBodies (const DataTerm& data,
+                    const MotionState& state,
+                    int threads,
+                    SegmentPixels& pixels)
+{
+  std::vector<std::vector<int>> segments (state.poses.size());
+  for (std::size_t k = 0; k < state.body_of.size(); ++k)
+    segments[state.body_of[k]].push_back (static_cast<int> (k));
+  const int bodies = static_cast<int> (segments.size());
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+  for (int b = 0; b < bodies; ++b) {
+    if (static_cast<int> (segments[b].size()) < kRigid)
+      continue;
+    int points = 0;
+    for (const int k : segments[b])
+      points += pixels.size (k);
+    Residuals residuals;
+    for (const int k : segments[b])
+      addResiduals (
+          data, state.poses[b], k, std::max (1, points / kSamples), residuals);
+    const float brightness = sharpness (residuals.brightness, kMostBrightness);
+    const float icp = sharpness (residuals.icp, kMostIcp);
+    for (const int k : segments[b])
+      for (int i = pixels.begin[k]; i < pixels.begin[k + 1]; ++i) {
+        pixels.brightness_scale[i] *= brightness;
+        pixels.icp_scale[i] *= icp;
+      }
+  }
+}
+
+} // namespace pcl_msf
