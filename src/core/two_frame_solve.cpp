@@ -60,15 +60,22 @@ TwoFrameSolve::TwoFrameSolve (const RgbdFrame& reference,
 SceneFlow
 TwoFrameSolve::run (const RigidPose& guess)
 {
-  prepare();
-  start (guess);
-  report_.start_seconds = monitor_.seconds();
-  for (int level = std::min (kCoarsestLevel, levels_ - 1); level >= 0; --level)
-    refine (level);
-  report_.solve_seconds = monitor_.seconds() - report_.start_seconds;
+  solve (guess, 0);
   SceneFlow result;
   finish (result);
   return result;
+}
+
+void
+TwoFrameSolve::solve (const RigidPose& guess, int finest_level)
+{
+  prepare();
+  start (guess);
+  report_.start_seconds = monitor_.seconds();
+  const int finest = std::min (finest_level, levels_ - 1);
+  for (int level = std::min (kCoarsestLevel, levels_ - 1); level >= finest; --level)
+    refine (level);
+  report_.solve_seconds = monitor_.seconds() - report_.start_seconds;
 }
 
 /** Labels of all levels and the noise that residuals are measured in. */

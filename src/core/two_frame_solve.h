@@ -32,6 +32,37 @@ public:
   SceneFlow
   run (const RigidPose& guess);
 
+  /** \brief start () and refine () down to a level, without a result: what a window of
+   * more frames begins with. */
+  void
+  solve (const RigidPose& guess, int finest_level);
+
+  const MotionState&
+  state () const
+  {
+    return state_;
+  }
+  const std::vector<SegmentLink>&
+  links () const
+  {
+    return links_;
+  }
+  const NoiseModel&
+  noise () const
+  {
+    return noise_;
+  }
+  const BrightnessChange&
+  brightnessChange () const
+  {
+    return change_;
+  }
+  const SolveMonitor&
+  monitor () const
+  {
+    return monitor_;
+  }
+
 private:
   void
   prepare ();
