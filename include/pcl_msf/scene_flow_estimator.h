@@ -32,6 +32,13 @@ public:
             const Oversegmentation& segments,
             const RigidPose& guess = {}) const;
 
+  /** \brief Does estimate take this? \throws InvalidInput when not, as estimate */
+  void
+  requireUsable (const RgbdFrame& reference,
+                 const RgbdFrame& current,
+                 const Oversegmentation& segments,
+                 const RigidPose& guess = {}) const;
+
 private:
   EnergyParameters energy_;
   SolverParameters solver_;

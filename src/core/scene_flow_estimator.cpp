@@ -8,20 +8,16 @@
 
 namespace pcl_msf {
 
-namespace {
-
 void
-requireUsable (const RgbdFrame& reference,
-               const RgbdFrame& current,
-               const Oversegmentation& segments,
-               const EnergyParameters& energy,
-               const SolverParameters& solver,
-               const RigidPose& guess)
+SceneFlowEstimator::requireUsable (const RgbdFrame& reference,
+                                   const RgbdFrame& current,
+                                   const Oversegmentation& segments,
+                                   const RigidPose& guess) const
 {
   std::string why;
-  if (!energy.isValid (&why))
+  if (!energy_.isValid (&why))
     throw InvalidInput ("energy parameters: " + why);
-  if (!solver.isValid (&why))
+  if (!solver_.isValid (&why))
     throw InvalidInput ("solver parameters: " + why);
   if (reference.empty() || current.empty())
     throw InvalidInput ("a frame is empty");
@@ -39,15 +35,13 @@ requireUsable (const RgbdFrame& reference,
                           "metres");
 }
 
-} // namespace
-
 SceneFlow
 SceneFlowEstimator::estimate (const RgbdFrame& reference,
                               const RgbdFrame& current,
                               const Oversegmentation& segments,
                               const RigidPose& guess) const
 {
-  requireUsable (reference, current, segments, energy_, solver_, guess);
+  requireUsable (reference, current, segments, guess);
   return TwoFrameSolve (reference, current, segments, energy_, solver_).run (guess);
 }
 

@@ -107,17 +107,6 @@ TwoFrameSolve::levelData (int level, bool with_pixels) const
                     threads_);
 }
 
-/** Energy times this = sum of half squared deviations. */
-double
-TwoFrameSolve::residualScale (const SegmentPixels& pixels) const
-{
-  const double alpha = pixels.brightness_count > 0 ? energy_.brightness_weight : 0.0;
-  const double beta = pixels.icp_count > 0 ? energy_.icp_weight : 0.0;
-  const int count =
-      (alpha > 0.0 ? pixels.brightness_count : 0) + (beta > 0.0 ? pixels.icp_count : 0);
-  return count / std::max (alpha + beta, 1e-12);
-}
-
 /** Poses worth descending from: the guess, rest, and what optical flow suggests. */
 void
 TwoFrameSolve::start (const RigidPose& guess)
@@ -199,7 +188,8 @@ TwoFrameSolve::refine (int at)
 void
 TwoFrameSolve::mergeAndReassign (JointEnergy& energy, LevelData& level)
 {
-  const MergeRules rules{residualScale (level.pixels), kMergeAllowance, kMergePerPoint};
+  const MergeRules rules{
+      residualScale (energy_, level.pixels), kMergeAllowance, kMergePerPoint};
   state_ = mergeBodies (energy.data(), links_, rules, state_);
   const DataTerm sample (
       level.probes, level.texture, makeRules (energy_, level.probes), threads_);
@@ -215,7 +205,7 @@ TwoFrameSolve::finish (SceneFlow& result)
   data.sweep (state_, DataTerm::Pass::Linearize);
   result.camera = reference_.camera();
   result.labels = segments_.labels();
-  fillSegments (data, links_, state_, residualScale (pixels), result);
+  fillSegments (data, links_, state_, residualScale (energy_, pixels), result);
   fillPoints (data, current_.camera(), solver_.blend_motions, threads_, result);
   concludeReport (result);
   result.report.result_seconds = monitor_.seconds() - before;

@@ -81,8 +81,6 @@ private:
 
   LevelData
   levelData (int level, bool with_pixels) const;
-  double
-  residualScale (const SegmentPixels& pixels) const;
 
   const RgbdFrame& reference_;
   const RgbdFrame& current_;

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/multi_frame_solve.h"
+
+#include "core/dense_points.h"
+#include "core/dense_result.h"
+#include "core/multi_frame_bodies.h"
+#include "core/segment_carrier.h"
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr double kRelativeTolerance =
+    0.01;                                // of the z-test at level 0; doubles per level
+constexpr double kMergeAllowance = 10.0; // per merge, in squared deviations
+constexpr double kMergePerPoint = 0.05;  // per point of the smaller body
+constexpr double kSeparation = 0.15;     // mean cost that leaving all neighbours costs
+constexpr double kBackground = 0.3; // mean cost that leaving a known background costs
+constexpr int kReassignRounds = 3;
+constexpr double kSettled =
+    0.01; // relative change of the last solve that counts as none
+constexpr double kStartShare = 0.5; // of the work
+
+/** Pairs that take part: all, or those with the reference and those of frames near each
+ * other. */
+std::vector<int>
+usedPairs (const FramePairs& pairs, int max_span)
+{
+  std::vector<int> used;
+  for (int p = 0; p < pairs.count(); ++p) {
+    const int span = std::abs (pairs[p].to - pairs[p].from);
+    if (max_span == 0 || span <= max_span || pairs[p].from == pairs.reference())
+      used.push_back (p);
+  }
+  return used;
+}
+
+} // namespace
+
+MultiFrameSolve::MultiFrameSolve (const std::vector<RgbdFrame>& frames,
+                                  int reference,
+                                  const Oversegmentation& segments,
+                                  const EnergyParameters& energy,
+                                  const SolverParameters& solver,
+                                  const MultiframeParameters& multiframe)
+: frames_ (frames)
+, pairs_ (static_cast<int> (frames.size()), reference)
+, segments_ (segments)
+, energy_ (energy)
+, user_ (solver)
+, multiframe_ (multiframe)
+, solver_ (watchedSolver())
+, monitor_ (solver_)
+, scene_{frames_,
+         pairs_,
+         usedPairs (pairs_, multiframe.max_span),
+         {},
+         {},
+         {},
+         {},
+         segments.size(),
+         solver.threads > 0 ? static_cast<int> (solver.threads) : omp_get_max_threads()}
+{}
+
+/** The user's parameters, with progress of a stage scaled to that of the window. Once
+ * the user cancels, nothing goes on. */
+SolverParameters
+MultiFrameSolve::watchedSolver()
+{
+  SolverParameters watched = user_;
+  watched.progress = [this] (const Progress& progress) {
+    if (cancelled_ || !user_.progress)
+      return !cancelled_;
+    Progress scaled = progress;
+    scaled.fraction = begin_ + share_ * progress.fraction;
+    cancelled_ = !user_.progress (scaled);
+    return !cancelled_;
+  };
+  return watched;
+}
+
+MultiframeSceneFlow
+MultiFrameSolve::run (const RigidPose& guess)
+{
+  start (guess);
+  report_.start_seconds = monitor_.seconds();
+  const int most = user_.max_iterations;
+  const std::vector<Round> rounds = {
+      {1, most, true}, {0, std::min (most, 4), true}, {0, std::min (most, 4), false}};
+  begin_ = 0.0;
+  share_ = 1.0;
+  double begin = kStartShare;
+  for (const Round& r : rounds) {
+    const double end =
+        begin + (1.0 - kStartShare) / static_cast<double> (rounds.size());
+    round (r, begin, end);
+    begin = end;
+  }
+  report_.solve_seconds = monitor_.seconds() - report_.start_seconds;
+  return finish();
+}
+
+void
+MultiFrameSolve::start (const RigidPose& guess)
+{
+  share_ = kStartShare;
+  MultiFrameStart start (frames_, pairs_, segments_, energy_, solver_);
+  start.run (guess);
+  scene_.links = start.links();
+  scene_.noise = start.noise();
+  scene_.exposure = start.exposure();
+  scene_.centroids = start.centroids();
+  state_ = start.state();
+}
+
+std::vector<cv::Mat>
+MultiFrameSolve::carryLabels() const
+{
+  const int reference = pairs_.reference();
+  std::vector<cv::Mat> labels (frames_.size());
+  labels[reference] = segments_.labels();
+  std::vector<int> sources;
+  for (const int p : scene_.used)
+    if (pairs_[p].from != reference)
+      sources.push_back (pairs_[p].from);
+  std::sort (sources.begin(), sources.end());
+  sources.erase (std::unique (sources.begin(), sources.end()), sources.end());
+  const int count = static_cast<int> (sources.size());
+#pragma omp parallel for schedule(dynamic, 1) num_threads(scene_.threads)
+  for (int i = 0; i < count; ++i) {
+    const int f = sources[i];
+    labels[f] = pcl_msf::carryLabels (frames_[reference].levels()[0],
+                                      segments_.labels(),
+                                      state_.ofPair (pairs_.fromReference (f)),
+                                      frames_[f].levels()[0],
+                                      scene_.noise);
+  }
+  return labels;
+}
+
+/** Eq. 13 on a level, with segments carried by the present poses. */
+void
+MultiFrameSolve::round (const Round& round, double begin, double end)
+{
+  const int finest = static_cast<int> (frames_[0].levels().size()) - 1;
+  const int at = std::min ({round.level, user_.levels - 1, finest});
+  std::vector<cv::Mat> labels = carryLabels();
+  for (int i = 0; i < at; ++i)
+    for (cv::Mat& image : labels)
+      if (!image.empty())
+        image = halveLabels (image);
+  level_ = std::make_unique<MultiFrameLevel> (
+      scene_, at, labels, energy_, kRelativeTolerance * (1 << at));
+  MultiFrameEnergy energy (
+      *level_, scene_, energy_, multiframe_.concatenation_weight, state_);
+  monitor_.enter ("window", at, begin, end, round.iterations);
+  SolverParameters solver = solver_;
+  solver.max_iterations = cancelled_ ? 0 : round.iterations;
+  const MultiFrameEnergy::Outcome outcome = energy.minimize (solver, monitor_, state_);
+  report_.initial_cost = outcome.initial;
+  report_.final_cost = outcome.final;
+  const double change = outcome.initial.total() - outcome.final.total();
+  report_.converged =
+      outcome.iterations > 0 && !outcome.failed &&
+      (outcome.converged || std::abs (change) < kSettled * outcome.initial.total());
+  if (round.merge && user_.merge_bodies)
+    mergeAndReassign (*level_);
+}
+
+void
+MultiFrameSolve::mergeAndReassign (MultiFrameLevel& level)
+{
+  const MergeRules rules{1.0, kMergeAllowance, kMergePerPoint};
+  mergeTrajectories (level, scene_, energy_, rules, state_);
+  const AssignmentRules assignment{
+      kSeparation, multiframe_.static_background ? kBackground : 0.0, kReassignRounds};
+  reassignTrajectories (level, scene_, assignment, state_);
+}
+
+SceneFlow
+MultiFrameSolve::resultFor (int frame)
+{
+  const int pair = pairs_.fromReference (frame);
+  const DataTerm& data = level_->data (pair);
+  SceneFlow result;
+  result.camera = frames_[pairs_.reference()].camera();
+  result.labels = segments_.labels();
+  fillSegments (data,
+                scene_.links,
+                state_.ofPair (pair),
+                residualScale (energy_, data.pixels()),
+                result);
+  fillPoints (
+      data, frames_[frame].camera(), user_.blend_motions, scene_.threads, result);
+  return result;
+}
+
+MultiframeSceneFlow
+MultiFrameSolve::finish()
+{
+  const double before = monitor_.seconds();
+  MultiframeSceneFlow result;
+  result.reference = pairs_.reference();
+  for (int f = 0; f < pairs_.frames(); ++f)
+    result.frames.push_back (f == pairs_.reference() ? SceneFlow{} : resultFor (f));
+  for (const int p : scene_.used) {
+    PairMotion motion{pairs_[p].from, pairs_[p].to, {}};
+    for (const int body : state_.body_of)
+      motion.segments.push_back (state_.poses[p][body]);
+    result.motions.push_back (std::move (motion));
+  }
+  report_.result_seconds = monitor_.seconds() - before;
+  concludeReport (result);
+  return result;
+}
+
+void
+MultiFrameSolve::concludeReport (MultiframeSceneFlow& result)
+{
+  report_.iterations = monitor_.iterations();
+  report_.history = monitor_.history();
+  report_.stop_reason = monitor_.stopReason();
+  if (cancelled_)
+    report_.stop_reason = StopReason::Cancelled;
+  if (report_.stop_reason != StopReason::NotRun)
+    report_.converged = false;
+  else
+    report_.stop_reason =
+        report_.converged ? StopReason::Converged : StopReason::IterationLimit;
+  for (int f = 0; f < pairs_.frames(); ++f) {
+    const auto& segments = result.frames[f].segments;
+    const bool determined =
+        std::any_of (segments.begin(), segments.end(), [] (const SegmentMotion& s) {
+          return s.status != MotionStatus::Undetermined;
+        });
+    if (determined || f == pairs_.reference())
+      continue;
+    report_.converged = false;
+    report_.message =
+        "no segment's motion to frame " + std::to_string (f) +
+        " of the window is determined: the scene shows too little texture "
+        "and shape, or the frames show different places";
+  }
+  for (SceneFlow& flow : result.frames)
+    flow.report = report_;
+}
+
+} // namespace pcl_msf
