@@ -2,28 +2,13 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/multi_frame_level.h"
 
+#include "core/exposure.h"
+
 namespace pcl_msf {
 
 namespace {
 
 constexpr int kProbesPerSegment = 64;
-
-/** What takes a frame's intensity back to the reference's. */
-BrightnessChange
-inverse (const BrightnessChange& change)
-{
-  return {1.0f / change.gain, -change.offset / change.gain};
-}
-
-std::unique_ptr<Texture>
-makeTexture (const FrameLevel& level, const BrightnessChange& exposure)
-{
-  FrameLevel same = level;
-  const BrightnessChange back = inverse (exposure);
-  if (!level.intensity.empty())
-    level.intensity.convertTo (same.intensity, CV_32F, back.gain, back.offset);
-  return std::make_unique<Texture> (same);
-}
 
 } // namespace
 
@@ -42,16 +27,19 @@ MultiFrameLevel::MultiFrameLevel (const MultiFrameScene& scene,
   const int count = static_cast<int> (scene.frames.size());
 #pragma omp parallel for schedule(dynamic, 1) num_threads(scene.threads)
   for (int f = 0; f < count; ++f) {
-    const FrameLevel& frame = scene.frames[f].levels()[level];
-    PointOptions options{
-        scene.noise, relative_tolerance, inverse (scene.exposure[f]), 0, 1};
+    FrameLevel frame = scene.frames[f].levels()[level];
+    if (!frame.intensity.empty())
+      frame.intensity = correctIntensity (frame, scene.exposure[f], scene.falloff);
+    if (f == scene.pairs.reference() && level == 0 && !scene.fused_depth.empty())
+      frame.inverse_depth = scene.fused_depth;
+    PointOptions options{scene.noise, relative_tolerance, {}, 0, 1};
     if (!labels[f].empty())
       pixels_[f] = groupPixels (frame, labels[f], scene.segments, options);
     options.max_per_segment = kProbesPerSegment;
     if (f == scene.pairs.reference())
       probes_ = groupPixels (frame, labels[f], scene.segments, options);
     else
-      textures_[f] = makeTexture (frame, scene.exposure[f]);
+      textures_[f] = std::make_unique<Texture> (frame);
   }
   for (const int p : scene.used) {
     const FramePairs::Pair& pair = scene.pairs[p];

@@ -23,6 +23,8 @@ struct MultiFrameScene {
   std::vector<Eigen::Vector3d> centroids; ///< per segment, reference frame
   std::vector<BrightnessChange> exposure; ///< per frame: its intensity from the
                                           ///< reference's
+  cv::Mat fused_depth; ///< of the reference, level 0; empty before fuseInverseDepth
+  double falloff; ///< of the camera's brightness towards the corners, see fitFalloff
   NoiseModel noise;
   int segments;
   int threads;

@@ -4,6 +4,8 @@
 
 #include "core/dense_points.h"
 #include "core/dense_result.h"
+#include "core/depth_fusion.h"
+#include "core/exposure.h"
 #include "core/multi_frame_bodies.h"
 #include "core/segment_carrier.h"
 #include <omp.h>
@@ -21,11 +23,13 @@ constexpr double kRelativeTolerance =
 constexpr double kMergeAllowance = 10.0; // per merge, in squared deviations
 constexpr double kMergePerPoint = 0.05;  // per point of the smaller body
 constexpr double kSeparation = 0.15;     // mean cost that leaving all neighbours costs
-constexpr double kBackground = 0.3; // mean cost that leaving a known background costs
+constexpr double kBackground = 0.3;  // mean cost that leaving a known background costs
+constexpr int kExposureSamples = 64; // per segment
 constexpr int kReassignRounds = 3;
 constexpr double kSettled =
     0.01; // relative change of the last solve that counts as none
-constexpr double kStartShare = 0.5; // of the work
+constexpr double kToleranceShare = 0.1; // a pair alone changes a sum of pairs little
+constexpr double kStartShare = 0.5;     // of the work
 
 /** Pairs that take part: all, or those with the reference and those of frames near each
  * other. */
@@ -63,6 +67,8 @@ MultiFrameSolve::MultiFrameSolve (const std::vector<RgbdFrame>& frames,
          {},
          {},
          {},
+         {},
+         0.0,
          {},
          segments.size(),
          solver.threads > 0 ? static_cast<int> (solver.threads) : omp_get_max_threads()}
@@ -119,6 +125,47 @@ MultiFrameSolve::start (const RigidPose& guess)
   state_ = start.state();
 }
 
+/** Compares every frame's exposure with the reference's, at the present poses. */
+void
+MultiFrameSolve::fitExposures (int at, const cv::Mat& labels)
+{
+  const int reference = pairs_.reference();
+  PointOptions options;
+  options.noise = scene_.noise;
+  options.relative_tolerance = kRelativeTolerance * (1 << at);
+  options.max_per_segment = kExposureSamples;
+  options.threads = scene_.threads;
+  const SegmentPixels points =
+      groupPixels (frames_[reference].levels()[at], labels, scene_.segments, options);
+  std::vector<MatchedIntensities> matches (frames_.size());
+#pragma omp parallel for schedule(dynamic, 1) num_threads(scene_.threads)
+  for (int f = 0; f < pairs_.frames(); ++f) {
+    if (f == reference)
+      continue;
+    matches[f] = matchIntensities (
+        points, state_.ofPair (pairs_.fromReference (f)), frames_[f].levels()[at]);
+    scene_.exposure[f] = fitBrightnessChange (matches[f].reference, matches[f].current);
+  }
+  scene_.falloff = fitFalloff (matches, scene_.exposure);
+}
+
+/** All frames' measurements of the reference's points in one. */
+void
+MultiFrameSolve::fuseDepth()
+{
+  const int reference = pairs_.reference();
+  std::vector<DepthWitness> witnesses;
+  for (int f = 0; f < pairs_.frames(); ++f)
+    if (f != reference)
+      witnesses.push_back (
+          {&frames_[f].levels()[0], state_.ofPair (pairs_.fromReference (f))});
+  scene_.fused_depth = fuseInverseDepth (frames_[reference].levels()[0],
+                                         segments_.labels(),
+                                         witnesses,
+                                         scene_.noise,
+                                         scene_.threads);
+}
+
 std::vector<cv::Mat>
 MultiFrameSolve::carryLabels() const
 {
@@ -155,12 +202,16 @@ MultiFrameSolve::round (const Round& round, double begin, double end)
     for (cv::Mat& image : labels)
       if (!image.empty())
         image = halveLabels (image);
+  fitExposures (at, labels[pairs_.reference()]);
+  if (!round.merge)
+    fuseDepth();
   level_ = std::make_unique<MultiFrameLevel> (
       scene_, at, labels, energy_, kRelativeTolerance * (1 << at));
   MultiFrameEnergy energy (
       *level_, scene_, energy_, multiframe_.concatenation_weight, state_);
   monitor_.enter ("window", at, begin, end, round.iterations);
   SolverParameters solver = solver_;
+  solver.function_tolerance *= kToleranceShare;
   solver.max_iterations = cancelled_ ? 0 : round.iterations;
   const MultiFrameEnergy::Outcome outcome = energy.minimize (solver, monitor_, state_);
   report_.initial_cost = outcome.initial;

@@ -42,6 +42,10 @@ private:
   std::vector<cv::Mat>
   carryLabels () const;
   void
+  fitExposures (int level, const cv::Mat& labels);
+  void
+  fuseDepth ();
+  void
   round (const Round& round, double begin, double end);
   void
   mergeAndReassign (MultiFrameLevel& level);

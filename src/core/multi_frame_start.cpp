@@ -49,6 +49,7 @@ MultiFrameStart::MultiFrameStart (const std::vector<RgbdFrame>& frames,
 , steps_ (pairs.count())
 , to_frame_ (frames.size())
 , exposure_ (frames.size())
+, noise_{0.0, 0.0, 0.0, 0.0}
 {
   labels_[pairs.reference()] = segments.labels();
   to_frame_[pairs.reference()].resize (segments.size());
@@ -173,32 +174,23 @@ MultiFrameStart::compose (int from, int to)
                              noise_);
 }
 
+/** Segments on their own: what moved together from frame to frame may part over the
+ * whole window. */
 MultiFrameState
 MultiFrameStart::state() const
 {
   MultiFrameState state;
-  std::map<std::vector<int>, int> body_with;
-  std::vector<int> member; // a segment of each body
-  for (int k = 0; k < segments_.size(); ++k) {
-    std::vector<int> key;
-    for (int p = 0; p < pairs_.count(); ++p)
-      if (pairs_[p].adjacent)
-        key.push_back (steps_[p].body[k]);
-    const auto [entry, added] =
-        body_with.emplace (key, static_cast<int> (body_with.size()));
-    if (added)
-      member.push_back (k);
-    state.body_of.push_back (entry->second);
-  }
+  for (int k = 0; k < segments_.size(); ++k)
+    state.body_of.push_back (k);
   for (int p = 0; p < pairs_.count(); ++p) {
+    std::vector<bool> inverse;
+    for (const FramePairs::Step& step : pairs_.chain (p))
+      inverse.push_back (step.inverse);
     std::vector<RigidPose> poses;
-    for (const int k : member) {
+    for (int k = 0; k < segments_.size(); ++k) {
       std::vector<RigidPose> chain;
-      std::vector<bool> inverse;
-      for (const FramePairs::Step& step : pairs_.chain (p)) {
+      for (const FramePairs::Step& step : pairs_.chain (p))
         chain.push_back (steps_[step.pair].poses[k]);
-        inverse.push_back (step.inverse);
-      }
       poses.push_back (concatenate (chain, inverse));
     }
     state.poses.push_back (poses);

@@ -28,7 +28,7 @@ public:
   void
   run (const RigidPose& guess);
 
-  /** \brief Segments that moved together in every adjacent pair are one body. */
+  /** \brief One body per segment, poses of non-adjacent pairs by concatenation. */
   MultiFrameState
   state () const;
 
