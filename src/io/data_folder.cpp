@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <opencv2/imgcodecs.hpp>
+
+#include "io/decode_image.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/cloud_files.h>
 #include <pcl_msf/io/data_folder.h>
@@ -95,7 +98,7 @@ DataFolder::cloudPath (int frame) const
 }
 
 RgbdImages
-DataFolder::frame (int frame) const
+DataFolder::frame (int frame, std::optional<double> depth_scale) const
 {
   const std::string depth = depthPath (frame);
   const std::string color = colorPath (frame);
@@ -106,7 +109,7 @@ DataFolder::frame (int frame) const
   }
   else {
     images.camera = camera_->camera;
-    images.depth = readDepth (depth, camera_->depth_scale);
+    images.depth = readDepth (depth, depth_scale.value_or (camera_->depth_scale));
     if (!color.empty())
       images.color = readColor (color);
   }
@@ -156,7 +159,12 @@ cv::Mat
 DataFolder::labels (int frame) const
 {
   const std::string path = truthPath ("labels_" + std::to_string (frame) + ".png");
-  return path.empty() ? cv::Mat() : readLabels (path);
+  if (path.empty())
+    return {};
+  cv::Mat labels = readLabels (path);
+  if (decodeImage (path, cv::IMREAD_UNCHANGED, "labels").depth() == CV_8U)
+    labels.setTo (-1, labels == 255);
+  return labels;
 }
 
 std::optional<RigidPose>

@@ -56,10 +56,11 @@ public:
   std::string
   cloudPath (int frame) const;
 
-  /** \brief Reads a frame, from images or else from a cloud. \throws IoError, also when
-   * sizes differ */
+  /** \brief Reads a frame, from images or else from a cloud.
+   * \param depth_scale units per metre to use instead of camera.txt's
+   * \throws IoError, also when sizes differ */
   RgbdImages
-  frame (int frame) const;
+  frame (int frame, std::optional<double> depth_scale = {}) const;
 
   /** \brief True optical flow from frame 0. \return CV_32FC2, pixels, NaN = unknown;
    * empty when there is none */
@@ -76,8 +77,8 @@ public:
   cv::Mat
   visible (int frame) const;
 
-  /** \brief True labels of a frame. \return CV_32SC1 as in the file, -1 = none; empty
-   * when there is none */
+  /** \brief True labels of a frame. \return CV_32SC1 as in the file, -1 = none (255 in
+   * an 8-bit file, 65535 in a 16-bit one); empty when there is none */
   cv::Mat
   labels (int frame = 0) const;
 

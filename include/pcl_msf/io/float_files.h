@@ -50,6 +50,13 @@ readPfm (const std::string& path);
 void
 writePfm (const std::string& path, const cv::Mat& image);
 
+/** \brief Reads a camera file of the Sintel benchmark (.cam), see writeCam.
+ *
+ * \param[out] camera_from_world the extrinsic matrix, metres \return the camera, pixels
+ * \throws IoError, also when the matrices are no pinhole camera and no rigid motion */
+PinholeCamera
+readCam (const std::string& path, RigidPose& camera_from_world);
+
 /** \brief Writes a camera file of the Sintel benchmark (.cam).
  *
  * Bytes, little-endian: float 202021.25, then row by row the intrinsic 3x3 and the

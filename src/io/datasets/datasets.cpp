@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "io/datasets/dataset_kinds.h"
+#include "io/datasets/file_lists.h"
+#include <pcl_msf/errors.h>
+#include <pcl_msf/io/datasets.h>
+
+#include <array>
+#include <cmath>
+#include <exception>
+#include <filesystem>
+
+namespace pcl_msf::io {
+
+namespace {
+
+/** When "auto" asks whether a path holds a kind. */
+enum class Guess {
+  First, ///< it has marks of its own
+  Last,  ///< other kinds may look like it, too
+  Never  ///< it is another name of one of these
+};
+
+struct Kind {
+  const char* name;
+  Sequences (*open) (const std::string& path, const DatasetOptions& options);
+  Guess guess;
+};
+
+constexpr std::array kKinds{
+    Kind{"cases", openCases, Guess::First},
+    Kind{"tum", openTum, Guess::First},
+    Kind{"sintel", openSintel, Guess::First},
+    Kind{"vkitti1", openVirtualKitti1, Guess::First},
+    Kind{"vkitti2", openVirtualKitti2, Guess::First},
+    Kind{"flyingthings", openFlyingThings, Guess::First},
+    Kind{"kitti2015", openKitti2015, Guess::First},
+    Kind{"middlebury", openMiddlebury, Guess::First},
+    Kind{"folder", openFolder, Guess::Last},
+    Kind{"bonn", openFolder, Guess::Never},
+    Kind{"pcd", openClouds, Guess::Last},
+};
+
+std::string
+allNames ()
+{
+  std::string names;
+  for (const std::string& name : datasetKinds())
+    names += name + ", ";
+  return names + "auto";
+}
+
+void
+checkOptions (const DatasetOptions& options)
+{
+  if (options.depth_scale &&
+      !(*options.depth_scale > 0.0 && std::isfinite (*options.depth_scale)))
+    throw InvalidInput ("depth_scale: must be > 0, in units per metre");
+  if (options.pass != "clean" && options.pass != "final")
+    throw InvalidInput ("pass: '" + options.pass + "'; choose clean or final");
+  if (options.view != "left" && options.view != "right")
+    throw InvalidInput ("view: '" + options.view + "'; choose left or right");
+  if (!(options.max_time_difference > 0.0))
+    throw InvalidInput ("max_time_difference: must be > 0, in seconds");
+}
+
+/** What a kind finds, or the error that says that it is there and damaged. */
+struct Finding {
+  const Kind* kind;
+  Sequences sequences;
+  std::exception_ptr error;
+};
+
+std::vector<Finding>
+findAll (const std::string& path, const DatasetOptions& options, Guess guess)
+{
+  std::vector<Finding> findings;
+  for (const Kind& kind : kKinds) {
+    if (kind.guess != guess)
+      continue;
+    Finding finding{&kind, {}, nullptr};
+    try {
+      finding.sequences = kind.open (path, options);
+    }
+    catch (const IoError&) {
+      finding.error = std::current_exception();
+    }
+    if (!finding.sequences.empty() || finding.error)
+      findings.push_back (std::move (finding));
+  }
+  return findings;
+}
+
+Sequences
+openAny (const std::string& path, const DatasetOptions& options)
+{
+  std::vector<Finding> findings = findAll (path, options, Guess::First);
+  if (findings.empty())
+    findings = findAll (path, options, Guess::Last);
+  if (findings.empty())
+    throw IoError (path +
+                   ": kind: no data set known here is below this folder; the "
+                   "kinds are " +
+                   allNames());
+  if (findings.size() > 1) {
+    std::string names;
+    for (const Finding& finding : findings)
+      names += std::string (names.empty() ? "" : ", ") + finding.kind->name;
+    throw IoError (path + ": kind: could be any of " + names + "; name the kind");
+  }
+  if (findings.front().error)
+    std::rethrow_exception (findings.front().error);
+  return findings.front().sequences;
+}
+
+} // namespace
+
+const std::vector<std::string>&
+datasetKinds ()
+{
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> result;
+    for (const Kind& kind : kKinds)
+      result.emplace_back (kind.name);
+    return result;
+  }();
+  return names;
+}
+
+Sequences
+openDataset (const std::string& kind,
+             const std::string& given_path,
+             const DatasetOptions& options)
+{
+  checkOptions (options);
+  const Kind* chosen = nullptr;
+  for (const Kind& known : kKinds)
+    if (kind == known.name)
+      chosen = &known;
+  if (!chosen && kind != "auto")
+    throw InvalidInput ("data set kind: '" + kind + "'; choose one of " + allNames());
+  if (!isFolder (given_path))
+    throw IoError (given_path + ": path: no such folder; check the path");
+  // Some kinds are known by the names of folders above.
+  const std::string path =
+      std::filesystem::absolute (given_path).lexically_normal().string();
+  if (!chosen)
+    return openAny (path, options);
+  Sequences sequences = chosen->open (path, options);
+  if (sequences.empty())
+    throw IoError (path + ": sequences: no data set of the kind '" + kind +
+                   "' is below this folder; check path and kind");
+  return sequences;
+}
+
+} // namespace pcl_msf::io

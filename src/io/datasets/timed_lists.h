@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <pcl_msf/rigid_pose.h>
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pcl_msf::io {
+
+struct TimedFile {
+  double time; ///< seconds
+  std::string file;
+};
+
+struct TimedPose {
+  double time;    ///< seconds
+  RigidPose pose; ///< `world_from_camera`
+};
+
+/** \brief Reads a list of "timestamp file", sorted by time. \throws IoError */
+std::vector<TimedFile>
+readTimedFiles (const std::string& path);
+
+/** \brief Reads a trajectory "timestamp tx ty tz qx qy qz qw", sorted by time.
+ * \throws IoError, also for a quaternion that is none */
+std::vector<TimedPose>
+readTrajectory (const std::string& path);
+
+/** \brief Pairs of indices, each index once, the closest pairs first, as the TUM
+ * benchmark's associate tool makes them; sorted by time.
+ * \param max_difference seconds; pairs must be closer */
+std::vector<std::pair<std::size_t, std::size_t>>
+associate (const std::vector<TimedFile>& first,
+           const std::vector<TimedFile>& second,
+           double max_difference);
+
+/** \brief The pose at a time, interpolated between its neighbours; none unless both
+ * are within the difference, seconds. */
+std::optional<RigidPose>
+poseAt (const std::vector<TimedPose>& poses, double time, double max_difference);
+
+} // namespace pcl_msf::io

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "expect_io_error.h"
+#include "io/datasets/timed_lists.h"
+#include "support/compare_images.h"
+#include "support/format_bytes.h"
+#include "support/small_sequence.h"
+#include <pcl_msf/io/datasets.h>
+#include <pcl_msf/synthetic/sequence_writer.h>
+
+namespace {
+
+using namespace pcl_msf;
+using namespace pcl_msf::testing;
+using io::openDataset;
+
+void
+writeTum (const std::string& folder)
+{
+  SequenceWriterOptions options;
+  options.layout = SequenceLayout::Tum;
+  writeSequence (smallSequence(), folder, options);
+}
+
+TEST (Tum, ReadsWhatTheGeneratorWrites)
+{
+  const TemporaryFolder folder;
+  const SyntheticSequence& made = smallSequence();
+  writeTum (folder ("room"));
+  const auto sequence = openDataset ("auto", folder (""), withCamera()).front();
+  EXPECT_EQ (sequence->name(), "room");
+  ASSERT_EQ (sequence->frames(), 3);
+  EXPECT_NEAR (sequence->timestamp (2), 1.0 + 2.0 / 30.0, 1e-6);
+  const io::RgbdImages images = sequence->frame (1);
+  EXPECT_EQ (cv::norm (images.color, made.frames[1].color, cv::NORM_INF), 0.0);
+  expectSame (images.depth, made.frames[1].depth, 0.000101, 5000, true);
+  ASSERT_TRUE (sequence->cameraPose (1));
+  for (int i = 0; i < 6; ++i)
+    EXPECT_NEAR (sequence->cameraPose (1)->parameters[i],
+                 made.frame0_from_framek[1].parameters[i],
+                 1e-6);
+  EXPECT_TRUE (sequence->truth (0, 1).flow.empty());
+}
+
+TEST (Tum, KnowsTheCameraByTheName)
+{
+  const TemporaryFolder folder;
+  const auto focal = [&folder] (const std::string& name) {
+    const std::string top = folder (name);
+    putText (top + "/rgb.txt", "1.0 rgb/1.0.png\n");
+    putText (top + "/depth.txt", "1.0 depth/1.0.png\n");
+    putImage (top + "/rgb/1.0.png", cv::Mat (480, 640, CV_8UC3, 1.0));
+    putImage (top + "/depth/1.0.png", cv::Mat (480, 640, CV_16UC1, 5000.0));
+    return openDataset ("tum", top).front()->frame (0).camera.fx;
+  };
+  EXPECT_EQ (focal ("rgbd_dataset_freiburg1_xyz"), 517.3);
+  EXPECT_EQ (focal ("rgbd_dataset_freiburg2_desk"), 520.9);
+  EXPECT_EQ (focal ("rgbd_dataset_freiburg3_walking_xyz"), 535.4);
+  EXPECT_EQ (focal ("office"), 525.0);
+  putText (folder ("office/camera.txt"), "600 601 320 240 640 480 2500\n");
+  const auto images = openDataset ("tum", folder ("office")).front()->frame (0);
+  EXPECT_EQ (images.camera.fy, 601.0);
+  EXPECT_FLOAT_EQ (images.depth.at<float> (3, 3), 2.0F);
+  io::DatasetOptions options;
+  options.depth_scale = 1000.0;
+  EXPECT_FLOAT_EQ (openDataset ("tum", folder ("office"), options)
+                       .front()
+                       ->frame (0)
+                       .depth.at<float> (3, 3),
+                   5.0F);
+}
+
+TEST (Tum, AssociatesTheClosestFirstAndEachOnce)
+{
+  const std::vector<io::TimedFile> color{{1.00, "a"}, {1.03, "b"}, {1.06, "c"}};
+  const std::vector<io::TimedFile> depth{{1.015, "p"}, {1.028, "q"}, {1.085, "r"}};
+  // b and q are 2 ms apart, a and p 15; r is 25 ms from c.
+  const std::vector<std::pair<std::size_t, std::size_t>> expected{{0, 0}, {1, 1}};
+  EXPECT_EQ (io::associate (color, depth, 0.02), expected);
+  EXPECT_EQ (io::associate (color, depth, 0.03).size(), 3u);
+  EXPECT_TRUE (io::associate (color, depth, 0.001).empty());
+}
+
+TEST (Tum, InterpolatesPoses)
+{
+  const auto turned = [] (double angle, double x) {
+    return RigidPose{{0.0, angle, 0.0, x, 0.0, 0.0}};
+  };
+  const std::vector<io::TimedPose> poses{{1.0, turned (0.0, 0.0)},
+                                         {1.01, turned (0.2, 1.0)}};
+  const auto pose = io::poseAt (poses, 1.0025, 0.02);
+  ASSERT_TRUE (pose);
+  EXPECT_NEAR (pose->parameters[1], 0.05, 1e-6);
+  EXPECT_NEAR (pose->parameters[3], 0.25, 1e-9);
+  EXPECT_NEAR (io::poseAt (poses, 1.01, 0.02)->parameters[3], 1.0, 1e-12);
+  EXPECT_FALSE (io::poseAt (poses, 0.999, 0.02));
+  EXPECT_FALSE (io::poseAt (poses, 1.02, 0.02));
+  EXPECT_FALSE (io::poseAt (poses, 1.0025, 0.005));
+}
+
+TEST (Tum, NamesWhatIsDamaged)
+{
+  const TemporaryFolder folder;
+  writeTum (folder (""));
+  const auto open = [&] { return openDataset ("tum", folder (""), withCamera())[0]; };
+  std::filesystem::remove (folder ("rgb/1.033333.png"));
+  expectIoError ([&] { open()->frame (1); }, "rgb/1.033333.png", "no such file");
+  const std::string poses = readFile (folder ("groundtruth.txt"));
+  putText (folder ("groundtruth.txt"), "1.0 0 0 0 0 0 0\n");
+  expectIoError (open, "groundtruth.txt: line 1", "qw: missing");
+  putText (folder ("groundtruth.txt"), "# t\n1.0 0 0 0 0 0 0 0.5\n");
+  expectIoError (open, "groundtruth.txt: line 2", "quaternion");
+  putText (folder ("groundtruth.txt"), poses);
+  putText (folder ("depth.txt"), "# d\n1,0 depth/1.0.png\n");
+  expectIoError (open, "depth.txt: line 2", "timestamp: '1,0'");
+  putText (folder ("depth.txt"), "1.0\n");
+  expectIoError (open, "depth.txt: line 1", "filename: missing");
+  putText (folder ("depth.txt"), "7.0 depth/7.0.png\n");
+  expectIoError (open, "depth.txt", "timestamp: none is within");
+  std::filesystem::remove (folder ("depth.txt"));
+  expectIoError (open, "depth.txt", "no such file");
+}
+
+} // namespace
