@@ -92,9 +92,9 @@ MultiFrameSolve::watchedSolver()
 }
 
 MultiframeSceneFlow
-MultiFrameSolve::run (const RigidPose& guess)
+MultiFrameSolve::run (const RigidPose& guess, const std::vector<KnownStep>& known)
 {
-  start (guess);
+  start (guess, known);
   report_.start_seconds = monitor_.seconds();
   const int most = user_.max_iterations;
   const std::vector<Round> rounds = {
@@ -113,11 +113,11 @@ MultiFrameSolve::run (const RigidPose& guess)
 }
 
 void
-MultiFrameSolve::start (const RigidPose& guess)
+MultiFrameSolve::start (const RigidPose& guess, const std::vector<KnownStep>& known)
 {
   share_ = kStartShare;
   MultiFrameStart start (frames_, pairs_, segments_, energy_, solver_);
-  start.run (guess);
+  start.run (guess, known);
   scene_.links = start.links();
   scene_.noise = start.noise();
   scene_.exposure = start.exposure();
@@ -166,6 +166,16 @@ MultiFrameSolve::fuseDepth()
                                          scene_.threads);
 }
 
+cv::Mat
+MultiFrameSolve::labelsIn (int frame) const
+{
+  return pcl_msf::carryLabels (frames_[pairs_.reference()].levels()[0],
+                               segments_.labels(),
+                               state_.ofPair (pairs_.fromReference (frame)),
+                               frames_[frame].levels()[0],
+                               scene_.noise);
+}
+
 std::vector<cv::Mat>
 MultiFrameSolve::carryLabels() const
 {
@@ -182,11 +192,7 @@ MultiFrameSolve::carryLabels() const
 #pragma omp parallel for schedule(dynamic, 1) num_threads(scene_.threads)
   for (int i = 0; i < count; ++i) {
     const int f = sources[i];
-    labels[f] = pcl_msf::carryLabels (frames_[reference].levels()[0],
-                                      segments_.labels(),
-                                      state_.ofPair (pairs_.fromReference (f)),
-                                      frames_[f].levels()[0],
-                                      scene_.noise);
+    labels[f] = labelsIn (f);
   }
   return labels;
 }

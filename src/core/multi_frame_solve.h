@@ -25,8 +25,13 @@ public:
                    const SolverParameters& solver,
                    const MultiframeParameters& multiframe);
 
+  /** \param known motions that an earlier window found */
   MultiframeSceneFlow
-  run (const RigidPose& guess);
+  run (const RigidPose& guess, const std::vector<KnownStep>& known = {});
+
+  /** \brief Labels of a frame, carried there by the present poses. */
+  cv::Mat
+  labelsIn (int frame) const;
 
 private:
   struct Round {
@@ -38,7 +43,7 @@ private:
   SolverParameters
   watchedSolver ();
   void
-  start (const RigidPose& guess);
+  start (const RigidPose& guess, const std::vector<KnownStep>& known);
   std::vector<cv::Mat>
   carryLabels () const;
   void

@@ -4,6 +4,7 @@
 
 #include "core/concatenation_cost.h"
 #include "core/segment_carrier.h"
+#include "core/segment_graph.h"
 #include "core/two_frame_solve.h"
 
 #include <algorithm>
@@ -56,15 +57,23 @@ MultiFrameStart::MultiFrameStart (const std::vector<RgbdFrame>& frames,
 }
 
 void
-MultiFrameStart::run (const RigidPose& guess)
+MultiFrameStart::run (const RigidPose& guess, const std::vector<KnownStep>& known)
 {
+  linkSegments();
   for (const int direction : {1, -1}) {
     RigidPose start = direction > 0 || pairs_.reference() == pairs_.frames() - 1
                           ? guess
                           : RigidPose{};
     int from = pairs_.reference();
     for (int to = from + direction; to >= 0 && to < pairs_.frames(); to += direction) {
-      solveStep (from, to, start);
+      const auto step =
+          std::find_if (known.begin(), known.end(), [&] (const KnownStep& k) {
+            return k.from == from && k.to == to;
+          });
+      if (step == known.end())
+        solveStep (from, to, start);
+      else
+        takeStep (*step);
       compose (from, to);
       start = dominantPose (steps_[pairs_.between (from, to)]);
       from = to;
@@ -92,13 +101,11 @@ MultiFrameStart::solveStep (int from, int to, const RigidPose& guess)
     step.poses[seen[i]] = solve.state().poseOf (static_cast<int> (i));
     step.body[seen[i]] = solve.state().body_of[i];
   }
-  if (from == pairs_.reference() && links_.empty()) {
-    links_ = solve.links();
-    link_weights_ = solve.state().weights;
-    for (std::size_t i = 0; i < links_.size(); ++i)
-      if (step.body[links_[i].first] == step.body[links_[i].second])
-        link_weights_[i] = 1.0;
-  }
+  if (from == pairs_.reference() && solve.links().size() == links_.size())
+    for (std::size_t i = 0; i < links_.size(); ++i) {
+      const bool one_body = step.body[links_[i].first] == step.body[links_[i].second];
+      link_weights_[i] = one_body ? 1.0 : solve.state().weights[i];
+    }
   fillUnseen (step);
   noise_.intensity = std::max (noise_.intensity, solve.noise().intensity);
   noise_.inverse_depth = std::max (noise_.inverse_depth, solve.noise().inverse_depth);
@@ -107,6 +114,25 @@ MultiFrameStart::solveStep (int from, int to, const RigidPose& guess)
   const BrightnessChange& change = solve.brightnessChange();
   exposure_[to].gain = change.gain * exposure_[from].gain;
   exposure_[to].offset = change.gain * exposure_[from].offset + change.offset;
+}
+
+void
+MultiFrameStart::takeStep (const KnownStep& known)
+{
+  Step& step = steps_[pairs_.between (known.from, known.to)];
+  step.poses = known.poses;
+  step.body.assign (segments_.size(), -1);
+  for (int k = 0; k < segments_.size(); ++k)
+    if (known.known[k])
+      step.body[k] = k;
+  fillUnseen (step);
+}
+
+void
+MultiFrameStart::linkSegments()
+{
+  links_ = linkNearestCentroids (centroids(), energy_.neighbors);
+  link_weights_.assign (links_.size(), 0.5); // until a solve says more
 }
 
 /** Segments that are hidden in the step's first frame move with the neighbour that they

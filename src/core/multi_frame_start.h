@@ -13,6 +13,14 @@
 
 namespace pcl_msf {
 
+/** \brief Motions between two adjacent frames that an earlier window found. */
+struct KnownStep {
+  int from; ///< the frame nearer to the reference
+  int to;
+  std::vector<RigidPose> poses; ///< per segment, `to_from_from`
+  std::vector<char> known;      ///< per segment
+};
+
 /** \brief What a window's optimization starts from (section 3.3): adjacent frames by
  * the two-frame solver, segments carried from frame to frame, others by concatenation.
  */
@@ -24,9 +32,10 @@ public:
                    const EnergyParameters& energy,
                    const SolverParameters& solver);
 
-  /** \param guess of the first solve from the reference */
+  /** \param guess of the first solve from the reference
+   * \param known steps that need no solve */
   void
-  run (const RigidPose& guess);
+  run (const RigidPose& guess, const std::vector<KnownStep>& known);
 
   /** \brief One body per segment, poses of non-adjacent pairs by concatenation. */
   MultiFrameState
@@ -61,6 +70,10 @@ private:
 
   void
   solveStep (int from, int to, const RigidPose& guess);
+  void
+  takeStep (const KnownStep& known);
+  void
+  linkSegments ();
   void
   fillUnseen (Step& step) const;
   RigidPose
