@@ -12,7 +12,7 @@ namespace pcl_msf {
 
 /** \brief Weights and rules of the multiframe energy (Eq. 13) beside those of Eq. 5. */
 struct MultiframeParameters {
-  double concatenation_weight{1.0}; ///< lambda, [0, 1e9]; divided by the number of
+  double concatenation_weight{0.1}; ///< lambda, [0, 1e9]; divided by the number of
                                     ///< segments, per pair (Eq. 14)
   int max_span{0}; ///< pairs without the reference are left out when their frames are
                    ///< farther apart; 0 = all pairs are used, >= 0

@@ -57,12 +57,20 @@ MultiFrameEnergy::unit (double depth) const
   return level_.focalLength() / std::max (depth, 1e-3);
 }
 
+/** eta, once for every pair that pulls at the weight: so the width of the kernel, the
+ * difference of poses that lets go, is that of two frames whatever the window. */
+double
+MultiFrameEnergy::priorWeight() const
+{
+  return energy_.prior_weight * static_cast<double> (scene_.used.size());
+}
+
 CouplingScale
 MultiFrameEnergy::couplingScale (const SegmentLink& link, bool with_prior) const
 {
   const double share = 1.0 / std::max<std::size_t> (1, scene_.links.size());
   return {std::sqrt (share * energy_.regularizer_weight),
-          with_prior ? std::sqrt (share * energy_.prior_weight) : 0.0,
+          with_prior ? std::sqrt (share * priorWeight()) : 0.0,
           unit (link.midpoint.z())};
 }
 
@@ -116,7 +124,7 @@ MultiFrameEnergy::relaxWeights (MultiFrameState& state) const
   for (std::size_t i = 0; i < scene_.links.size(); ++i)
     state.weights[i] = optimalWeight (squaredDifferences (static_cast<int> (i), state),
                                       energy_.regularizer_weight,
-                                      energy_.prior_weight);
+                                      priorWeight());
 }
 
 double
@@ -153,7 +161,7 @@ MultiFrameEnergy::evaluate (const MultiFrameState& state)
     const double s = state.weights[i] * state.weights[i];
     cost.regularizer += share * energy_.regularizer_weight * s * s *
                         squaredDifferences (static_cast<int> (i), state);
-    cost.prior += share * energy_.prior_weight * (1.0 - s) * (1.0 - s);
+    cost.prior += share * priorWeight() * (1.0 - s) * (1.0 - s);
   }
   cost.concatenation = concatenationCost (state);
   return cost;

@@ -74,6 +74,8 @@ private:
 
   double
   unit (double depth) const;
+  double
+  priorWeight () const;
   CouplingScale
   couplingScale (const SegmentLink& link, bool with_prior) const;
   double

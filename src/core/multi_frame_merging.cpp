@@ -5,7 +5,6 @@
 #include "core/multi_frame_bodies.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <queue>
 #include <set>
@@ -160,8 +159,7 @@ TrajectoryMerger::consider (int a, int b)
   const Trajectory& second = bodies_[b];
   const double increase = sum (first, second).minimum - first.minimum - second.minimum;
   const double allowed =
-      std::sqrt (static_cast<double> (scene_.used.size())) *
-      (rules_.allowance + rules_.per_point * std::min (first.points, second.points));
+      rules_.allowance + rules_.per_point * std::min (first.points, second.points);
   if (increase < allowed)
     queue_.push ({increase, a, b, first.version, second.version});
 }
