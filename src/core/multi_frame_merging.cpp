@@ -5,6 +5,7 @@
 #include "core/multi_frame_bodies.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <queue>
 #include <set>
@@ -158,8 +159,10 @@ TrajectoryMerger::consider (int a, int b)
   const Trajectory& first = bodies_[a];
   const Trajectory& second = bodies_[b];
   const double increase = sum (first, second).minimum - first.minimum - second.minimum;
+  // Pairs share their frames' noise: they are fewer observations than their number.
   const double allowed =
-      rules_.allowance + rules_.per_point * std::min (first.points, second.points);
+      std::sqrt (static_cast<double> (scene_.used.size())) *
+      (rules_.allowance + rules_.per_point * std::min (first.points, second.points));
   if (increase < allowed)
     queue_.push ({increase, a, b, first.version, second.version});
 }

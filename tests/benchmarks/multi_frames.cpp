@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 //
-// Accuracy and time of windows of frames on data folders: frame 0 to the last, jointly,
-// beside the direct two-frame solve and the concatenation of frame-to-frame solves.
+// Accuracy and processor time of windows of frames on data folders: frame 0 to the
+// last, jointly, beside the direct two-frame solve and the concatenation of
+// frame-to-frame solves. Without true flow the errors are brightness residuals in grey
+// levels.
 
 #include "scores.h"
 #include <pcl_msf/io/data_folder.h>
@@ -95,6 +97,9 @@ scoreOf (const SceneFlow& flow, const io::DataFolder& folder, int last)
   Score score;
   if (const cv::Mat truth = folder.flow (last); !truth.empty())
     score.pixels = benchmark::endPointErrors (flow.flow, truth, visible, depth);
+  else if (const io::RgbdImages first = folder.frame (0); !first.color.empty())
+    score.pixels =
+        benchmark::brightnessResiduals (flow.flow, first, folder.frame (last));
   if (const cv::Mat truth = folder.sceneFlow (last); !truth.empty())
     score.millimetres =
         benchmark::meanError3d (flow.displacement, truth, visible, depth);
@@ -150,6 +155,16 @@ printRow (const std::string& path, int count, const MultiframeParameters& parame
   std::fflush (stdout);
 }
 
+/** Long windows use adjacent pairs and those with the reference only. */
+MultiframeParameters
+parametersFor (int frames)
+{
+  constexpr int kLongWindow = 8;
+  MultiframeParameters parameters;
+  parameters.max_span = frames > kLongWindow ? 1 : 0;
+  return parameters;
+}
+
 } // namespace
 
 int
@@ -160,11 +175,7 @@ main (int argc, char** argv)
     return 2;
   }
   const int frames = std::atoi (argv[1]);
-  MultiframeParameters parameters;
-  if (const char* w = std::getenv ("LAMBDA"))
-    parameters.concatenation_weight = std::atof (w);
-  if (const char* w = std::getenv ("SPAN"))
-    parameters.max_span = std::atoi (w);
+  const MultiframeParameters parameters = parametersFor (frames);
   std::printf ("| case | frames | groups | frame to frame, EPE px, mean (median) 3D mm "
                "| direct | jointly | joint / best | two-frame ms | joint ms | ratio |\n"
                "|---|---|---|---|---|---|---|---|---|---|\n");
