@@ -11,8 +11,8 @@ namespace pcl_msf {
 /** \brief mergeBodies for a window: two bodies merge when, over all pairs together, one
  * common trajectory explains their points as well as two.
  * \param level linearized at the state
- * \param rules allowances, which grow with the root of the number of pairs; the
- * residual scale is not used */
+ * \param rules allowances, which grow with the root of the number of motions
+ * from frame to frame; the residual scale is not used */
 void
 mergeTrajectories (const MultiFrameLevel& level,
                    const MultiFrameScene& scene,

@@ -159,9 +159,9 @@ TrajectoryMerger::consider (int a, int b)
   const Trajectory& first = bodies_[a];
   const Trajectory& second = bodies_[b];
   const double increase = sum (first, second).minimum - first.minimum - second.minimum;
-  // Pairs share their frames' noise: they are fewer observations than their number.
+  // Pairs share their frames' noise: N frames hold N - 1 independent motions.
   const double allowed =
-      std::sqrt (static_cast<double> (scene_.used.size())) *
+      std::sqrt (scene_.pairs.frames() - 1.0) *
       (rules_.allowance + rules_.per_point * std::min (first.points, second.points));
   if (increase < allowed)
     queue_.push ({increase, a, b, first.version, second.version});
