@@ -12,7 +12,7 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr double kNothingNew = 0.01; // share of points that is not worth segmenting
+constexpr double kMostSegments = 1.5; // of a fresh segmentation's
 
 bool
 isShare (double value)
@@ -29,15 +29,30 @@ labelledShare (const cv::Mat& labels, const cv::Mat& inverse_depth)
   return labelled / std::max (1, cv::countNonZero (measured));
 }
 
-/** Labels in place, fresh segments where there are none. */
+/** Labels in place, and what they leave open: a fresh segment where most of one is
+ * open, else the label that most of it bears. */
 cv::Mat
-fillWithFresh (const cv::Mat& labels, const cv::Mat& fresh, int first_fresh)
+fillWithFresh (const cv::Mat& labels, const Oversegmentation& fresh, int first_fresh)
 {
+  std::vector<std::map<int, int>> votes (fresh.size());
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x)
+      if (const int f = fresh.labels().at<int> (y, x); f >= 0)
+        ++votes[f][std::max (-1, labels.at<int> (y, x))];
+  std::vector<int> winner (fresh.size());
+  for (int f = 0; f < fresh.size(); ++f) {
+    const auto most = std::max_element (
+        votes[f].begin(), votes[f].end(), [] (const auto& a, const auto& b) {
+          return a.second < b.second;
+        });
+    winner[f] = most->first >= 0 ? most->first : first_fresh + f;
+  }
   cv::Mat result = labels.clone();
   for (int y = 0; y < labels.rows; ++y)
     for (int x = 0; x < labels.cols; ++x)
-      if (labels.at<int> (y, x) < 0 && fresh.at<int> (y, x) >= 0)
-        result.at<int> (y, x) = first_fresh + fresh.at<int> (y, x);
+      if (const int f = fresh.labels().at<int> (y, x);
+          f >= 0 && labels.at<int> (y, x) < 0)
+        result.at<int> (y, x) = winner[f];
   return result;
 }
 
@@ -151,32 +166,27 @@ SceneFlowTracker::mergedLabels() const
 SceneFlowTracker::Window
 SceneFlowTracker::slide() const
 {
-  Window next{frames_, {}, {}, cameraPose(), first_ + 1};
+  Window next{frames_, {}, {}, {}, first_ + 1};
   next.frames.pop_front();
   next.world_from_reference =
       world_from_reference_ * result_.frames[1].dominant_motion.inverse();
   const RgbdFrame& reference = next.frames.front();
   const cv::Mat& depth = reference.levels()[0].inverse_depth;
-  const double kept = labelledShare (carried_, depth);
-  if (kept < tracker_.least_kept) {
-    next.segments = Oversegmentation::fromFrame (reference, segmentation_);
-    next.origin.assign (next.segments.size(), -1);
-    return next;
-  }
+  const Oversegmentation fresh = Oversegmentation::fromFrame (reference, segmentation_);
   const std::vector<int> merged = mergedLabels();
   cv::Mat labels = carried_.clone();
-  for (int y = 0; y < labels.rows; ++y)
-    for (int x = 0; x < labels.cols; ++x)
-      if (int& label = labels.at<int> (y, x); label >= 0)
-        label = merged[label];
-  if (kept < 1.0 - kNothingNew)
-    labels =
-        fillWithFresh (labels,
-                       Oversegmentation::fromFrame (reference, segmentation_).labels(),
-                       segments_.size());
-  for (const int label : labelsInOrder (labels, depth))
+  labels.forEach<int> ([&merged] (int& label, const int*) {
+    label = label >= 0 ? merged[label] : label;
+  });
+  labels = fillWithFresh (labels, fresh, segments_.size());
+  const std::vector<int> order = labelsInOrder (labels, depth);
+  const bool explained = labelledShare (carried_, depth) >= tracker_.least_kept &&
+                         order.size() <= kMostSegments * fresh.size();
+  for (const int label : order)
     next.origin.push_back (label < segments_.size() ? label : -1);
-  next.segments = Oversegmentation::fromLabels (labels, reference);
+  if (!explained)
+    next.origin.assign (fresh.size(), -1);
+  next.segments = explained ? Oversegmentation::fromLabels (labels, reference) : fresh;
   return next;
 }
 
