@@ -46,6 +46,7 @@ MultiFrameStart::MultiFrameStart (const std::vector<RgbdFrame>& frames,
 , segments_ (segments)
 , energy_ (energy)
 , solver_ (solver)
+, clock_ (solver_)
 , labels_ (frames.size())
 , steps_ (pairs.count())
 , to_frame_ (frames.size())
@@ -95,7 +96,10 @@ MultiFrameStart::solveStep (int from, int to, const RigidPose& guess)
     return;
   const Oversegmentation carried =
       Oversegmentation::fromLabels (labels_[from], frames_[from]);
-  TwoFrameSolve solve (frames_[from], frames_[to], carried, energy_, solver_);
+  SolverParameters solver = solver_;
+  if (solver.max_seconds > 0.0) // what is left; 0 would be no limit
+    solver.max_seconds = std::max (1e-6, clock_.secondsLeft());
+  TwoFrameSolve solve (frames_[from], frames_[to], carried, energy_, solver);
   solve.solve (guess, kFinestLevel);
   for (std::size_t i = 0; i < seen.size(); ++i) {
     step.poses[seen[i]] = solve.state().poseOf (static_cast<int> (i));

@@ -6,6 +6,7 @@
 #include "core/motion_state.h"
 #include "core/multi_frame_level.h"
 #include "core/multi_frame_state.h"
+#include "core/solve_monitor.h"
 #include <pcl_msf/oversegmentation.h>
 #include <pcl_msf/parameters.h>
 
@@ -88,6 +89,7 @@ private:
   const Oversegmentation& segments_;
   const EnergyParameters& energy_;
   const SolverParameters& solver_;
+  const SolveMonitor clock_;                     ///< of the time budget
   std::vector<cv::Mat> labels_;                  ///< per frame
   std::vector<Step> steps_;                      ///< per pair; adjacent ones filled
   std::vector<std::vector<RigidPose>> to_frame_; ///< per frame, per segment
