@@ -48,7 +48,7 @@ public:
     return view (motion());
   }
 
-private:
+  /** \brief The scene after any other motion. */
   static Cloud::Ptr
   view (const RigidPose& camera_from_scene)
   {
@@ -69,6 +69,7 @@ private:
     return cloud;
   }
 
+private:
   /** Factor of the direction at which the ray meets the ball or the wall. */
   static double
   depthAlong (const Eigen::Vector3d& origin, const Eigen::Vector3d& direction)

@@ -3,8 +3,10 @@
 #include "inputs.h"
 
 #include <pcl_msf/io/cloud_files.h>
+#include <pcl_msf/io/datasets.h>
 #include <pcl_msf/io/images.h>
 
+#include <cmath>
 #include <future>
 
 namespace pcl_msf::tool {
@@ -12,19 +14,20 @@ namespace pcl_msf::tool {
 namespace {
 
 constexpr double kDefaultDepthScale = 1000.0;
+constexpr int kDefaultWindow = 4; // frames of a recording
 
-io::RgbdImages
-loadFrame (const Options& options, std::size_t frame)
+std::shared_ptr<const io::RgbdSequence>
+openSequence (const Options& options)
 {
-  if (!options.cloud.empty())
-    return io::readCloudImages (options.cloud[frame], options.camera);
-  io::RgbdImages images;
-  images.camera = *options.camera;
-  images.depth = io::readDepth (options.depth[frame],
-                                options.depth_scale.value_or (kDefaultDepthScale));
-  if (!options.color.empty())
-    images.color = io::readColor (options.color[frame]);
-  return images;
+  io::DatasetOptions dataset;
+  dataset.camera = options.camera;
+  dataset.depth_scale = options.depth_scale;
+  const auto sequences = io::openDataset ("auto", options.sequence, dataset);
+  if (sequences.size() != 1)
+    throw UsageError ("'" + options.sequence + "': holds " +
+                      std::to_string (sequences.size()) +
+                      " sequences; give one of their folders");
+  return sequences.front();
 }
 
 void
@@ -40,44 +43,104 @@ checkSize (const char* option,
                       std::to_string (size.height) + "; all images must have one size");
 }
 
-void
-checkSizes (const Options& options, const Inputs& inputs)
-{
-  const cv::Size size = inputs.reference.depth.size();
-  if (options.cloud.empty()) {
-    checkSize ("--depth", options.depth[1], inputs.current.depth, size);
-    for (std::size_t i = 0; i < options.color.size(); ++i)
-      checkSize ("--color",
-                 options.color[i],
-                 i == 0 ? inputs.reference.color : inputs.current.color,
-                 size);
-  }
-  else
-    checkSize ("--cloud", options.cloud[1], inputs.current.depth, size);
-  checkSize ("--labels", options.labels, inputs.labels, size);
-  std::string why;
-  if (!inputs.reference.camera.isValid (size.width, size.height, &why))
-    throw UsageError ("--camera: " + why);
-}
-
 } // namespace
 
-Inputs
-loadInputs (const Options& options)
+Inputs::Inputs (const Options& options) : options_ (options)
 {
-  Inputs inputs;
-  auto current =
-      std::async (std::launch::async, [&options] { return loadFrame (options, 1); });
-  inputs.reference = loadFrame (options, 0);
-  inputs.current = current.get();
-  if (inputs.reference.color.empty() || inputs.current.color.empty()) {
-    inputs.reference.color.release();
-    inputs.current.color.release();
+  if (!options.sequence.empty())
+    sequence_ = openSequence (options);
+  if (frames() < 2)
+    throw UsageError ("'" + options.sequence + "': holds one frame; two are needed");
+  const int standard = sequence_ ? std::min (frames(), kDefaultWindow) : frames();
+  window_ = options.window > 0 ? std::min (options.window, frames()) : standard;
+  if (options.reference >= window_)
+    throw UsageError ("--reference: must be less than the window's " +
+                      std::to_string (window_) + " frames");
+}
+
+int
+Inputs::frames() const
+{
+  if (sequence_)
+    return sequence_->frames();
+  return static_cast<int> (options_.cloud.empty() ? options_.depth.size()
+                                                  : options_.cloud.size());
+}
+
+double
+Inputs::timestamp (int frame) const
+{
+  const double seconds = sequence_ ? sequence_->timestamp (frame) : std::nan ("");
+  return std::isfinite (seconds) ? seconds : frame;
+}
+
+io::RgbdImages
+Inputs::loadFrame (int frame) const
+{
+  if (sequence_)
+    return sequence_->frame (frame);
+  if (!options_.cloud.empty())
+    return io::readCloudImages (options_.cloud[frame], options_.camera);
+  io::RgbdImages images;
+  images.camera = *options_.camera;
+  images.depth = io::readDepth (options_.depth[frame],
+                                options_.depth_scale.value_or (kDefaultDepthScale));
+  if (!options_.color.empty())
+    images.color = io::readColor (options_.color[frame]);
+  return images;
+}
+
+void
+Inputs::checkSizes (int first, const std::vector<io::RgbdImages>& images) const
+{
+  const cv::Size size = images.front().depth.size();
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const std::size_t frame = first + i;
+    if (sequence_) {
+      checkSize ("frame", std::to_string (frame), images[i].depth, size);
+      checkSize ("frame", std::to_string (frame), images[i].color, size);
+    }
+    else if (!options_.cloud.empty())
+      checkSize ("--cloud", options_.cloud[frame], images[i].depth, size);
+    else {
+      checkSize ("--depth", options_.depth[frame], images[i].depth, size);
+      if (!options_.color.empty())
+        checkSize ("--color", options_.color[frame], images[i].color, size);
+    }
+    std::string why;
+    if (!images[i].camera.isValid (size.width, size.height, &why))
+      throw UsageError ("--camera: " + why);
   }
-  if (!options.labels.empty())
-    inputs.labels = io::readLabels (options.labels);
-  checkSizes (options, inputs);
-  return inputs;
+}
+
+std::vector<io::RgbdImages>
+Inputs::load (int first, int count) const
+{
+  std::vector<std::future<io::RgbdImages>> later;
+  for (int i = 1; i < count; ++i)
+    later.push_back (
+        std::async (std::launch::async, [=] { return loadFrame (first + i); }));
+  std::vector<io::RgbdImages> images{loadFrame (first)};
+  for (auto& image : later)
+    images.push_back (image.get());
+  bool colorless = false;
+  for (const io::RgbdImages& image : images)
+    colorless |= image.color.empty();
+  if (colorless)
+    for (io::RgbdImages& image : images)
+      image.color.release();
+  checkSizes (first, images);
+  return images;
+}
+
+cv::Mat
+Inputs::labels (const cv::Size& size) const
+{
+  if (options_.labels.empty())
+    return {};
+  const cv::Mat labels = io::readLabels (options_.labels);
+  checkSize ("--labels", options_.labels, labels, size);
+  return labels;
 }
 
 } // namespace pcl_msf::tool

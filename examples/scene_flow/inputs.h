@@ -6,19 +6,51 @@
 
 #include "options.h"
 #include <pcl_msf/io/rgbd_images.h>
+#include <pcl_msf/io/rgbd_sequence.h>
+
+#include <memory>
+#include <vector>
 
 namespace pcl_msf::tool {
 
-/** \brief The two frames as files hold them, and labels when given. */
-struct Inputs {
-  io::RgbdImages reference;
-  io::RgbdImages current;
-  cv::Mat labels; ///< CV_32SC1; empty when a segmentation is to make them
-};
+/** \brief All frames of a run: the files of the command line or a recording's. */
+class Inputs {
+public:
+  /** \throws IoError, UsageError */
+  explicit Inputs (const Options& options);
 
-/** \brief Reads all input files, the two frames in parallel.
- * \throws IoError, UsageError when sizes differ */
-Inputs
-loadInputs (const Options& options);
+  int
+  frames () const;
+
+  /** \brief Frames solved jointly. */
+  int
+  window () const
+  {
+    return window_;
+  }
+
+  /** \brief Seconds; the frame's index when the recording has none. */
+  double
+  timestamp (int frame) const;
+
+  /** \brief Frames first .. first + count - 1, read in parallel.
+   * \throws IoError, UsageError when sizes differ */
+  std::vector<io::RgbdImages>
+  load (int first, int count) const;
+
+  /** \brief CV_32SC1 of `size`; empty when a segmentation is to make them. */
+  cv::Mat
+  labels (const cv::Size& size) const;
+
+private:
+  io::RgbdImages
+  loadFrame (int frame) const;
+  void
+  checkSizes (int first, const std::vector<io::RgbdImages>& images) const;
+
+  const Options& options_;
+  std::shared_ptr<const io::RgbdSequence> sequence_;
+  int window_{2};
+};
 
 } // namespace pcl_msf::tool

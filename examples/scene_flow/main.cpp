@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-// Scene flow between two RGB-D frames: files in, files out.
+// Scene flow between RGB-D frames: files in, files out.
 #include <pcl/console/print.h>
 
 #include <opencv2/core/utils/logger.hpp>
@@ -10,10 +10,12 @@
 #include "output.h"
 #include "pipeline.h"
 #include <pcl_msf/io/folders.h>
+#include <pcl_msf/io/pose_files.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 
 namespace {
 
@@ -36,7 +38,7 @@ printSummary (const Outcome& outcome, const std::string& folder)
   using namespace pcl::console;
   setVerbosityLevel (L_INFO);
   const io::RunSeconds& seconds = outcome.seconds;
-  const SceneFlow& flow = outcome.scene_flow;
+  const SceneFlow& flow = outcome.lastFlow();
   print_highlight ("%zu segments, %d motion groups, %d iterations, %s\n",
                    flow.segments.size(),
                    flow.bodies,
@@ -57,18 +59,80 @@ printSummary (const Outcome& outcome, const std::string& folder)
   print_info ("]\n");
 }
 
-int
-run (const Options& options)
+/** Camera poses from the windows' dominant motions; each window goes on where the last
+ * one ended. */
+class Trajectory {
+public:
+  void
+  add (const Outcome& outcome, const Inputs& inputs)
+  {
+    const MultiframeSceneFlow& result = outcome.result;
+    // The window's frame 0 is the last one's last.
+    const RigidPose world_from_reference =
+        last_ *
+        (result.reference == 0 ? RigidPose{} : result.frames[0].dominant_motion);
+    for (std::size_t k = poses_.empty() ? 0 : 1; k < result.frames.size(); ++k) {
+      const RigidPose motion = static_cast<int> (k) == result.reference
+                                   ? RigidPose{}
+                                   : result.frames[k].dominant_motion;
+      poses_.push_back ({inputs.timestamp (outcome.first + static_cast<int> (k)),
+                         world_from_reference * motion.inverse()});
+    }
+    last_ = poses_.back().world_from_camera;
+  }
+  const std::vector<io::TimedPose>&
+  poses () const
+  {
+    return poses_;
+  }
+
+private:
+  std::vector<io::TimedPose> poses_;
+  RigidPose last_; ///< world_from_camera of the last frame so far
+};
+
+void
+runWindow (const Options& options,
+           const Inputs& inputs,
+           int first,
+           int count,
+           Trajectory& trajectory)
 {
-  io::makeFolder (options.output);
-  Outcome outcome = runPipeline (options);
-  writeOutcome (outcome, options);
+  const bool several = inputs.frames() > inputs.window();
+  Outcome outcome = runPipeline (options, inputs, first, count);
+  writeOutcome (outcome, options, several);
   if (!options.quiet)
     printSummary (outcome, options.output);
-  const Report& report = outcome.scene_flow.report;
+  const Report& report = outcome.lastFlow().report;
   if (!report.converged)
     complain (std::string ("warning: not converged (") + toString (report.stop_reason) +
               ") " + report.message);
+  trajectory.add (outcome, inputs);
+  if (inputs.frames() > 2)
+    io::writeTrajectory (
+        (std::filesystem::path (options.output) / "trajectory.txt").string(),
+        trajectory.poses());
+}
+
+int
+run (Options options)
+{
+  const Inputs inputs (options);
+  if (options.output.empty())
+    options.output = std::filesystem::absolute (options.sequence + "/.")
+                         .parent_path()
+                         .filename()
+                         .string() +
+                     "_scene_flow";
+  io::makeFolder (options.output);
+  Trajectory trajectory;
+  const int step = inputs.window() - 1; // windows share a frame
+  for (int first = 0; first + 1 < inputs.frames(); first += step)
+    runWindow (options,
+               inputs,
+               first,
+               std::min (inputs.window(), inputs.frames() - first),
+               trajectory);
   return 0;
 }
 

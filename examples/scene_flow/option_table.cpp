@@ -198,6 +198,32 @@ solverOptions (SolverParameters& p)
        numeric ("--threads", "N", "0 = all", p.threads)}};
 }
 
+OptionGroup
+windowOptions (Options& o)
+{
+  return {"Windows of more than two frames",
+          {numeric ("--window",
+                    "N",
+                    "frames solved jointly; 0 = all files, 4 of a folder",
+                    o.window),
+           numeric ("--reference",
+                    "K",
+                    "frame of the window whose points are followed",
+                    o.reference),
+           {"--rigid", "", "the whole scene is one rigid body", flag (o.rigid)},
+           numeric ("--concatenation-weight",
+                    "W",
+                    "lambda of Eq. 14",
+                    o.multiframe.concatenation_weight),
+           numeric ("--max-span",
+                    "N",
+                    "leave out pairs of frames farther apart, 0 = none",
+                    o.multiframe.max_span),
+           switchable ("--static-background",
+                       "the largest body is a rigid background",
+                       o.multiframe.static_background)}};
+}
+
 } // namespace
 
 std::vector<OptionGroup>
@@ -207,7 +233,8 @@ makeOptionTable (Options& options)
           frameOptions (options.frame),
           segmentationOptions (options.segmentation),
           energyOptions (options.energy),
-          solverOptions (options.solver)};
+          solverOptions (options.solver),
+          windowOptions (options)};
 }
 
 } // namespace pcl_msf::tool

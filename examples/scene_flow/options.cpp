@@ -33,12 +33,19 @@ splitAtEqualSign (const std::string& word)
 }
 
 void
-readWords (int argc, const char* const* argv, const std::vector<OptionGroup>& table)
+readWords (int argc,
+           const char* const* argv,
+           const std::vector<OptionGroup>& table,
+           std::string& sequence)
 {
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
-    if (word.rfind ("-", 0) != 0)
-      throw UsageError ("'" + word + "': not an option; --help lists them");
+    if (word.rfind ("-", 0) != 0) {
+      if (!sequence.empty() || word.empty())
+        throw UsageError ("'" + word + "': not an option; --help lists them");
+      sequence = word;
+      continue;
+    }
     auto [name, value] = splitAtEqualSign (word);
     const Option& option = findOption (table, name);
     if (!option.argument.empty() && name == word) {
@@ -55,29 +62,49 @@ readWords (int argc, const char* const* argv, const std::vector<OptionGroup>& ta
 }
 
 void
-checkCount (const char* name, std::size_t count, bool may_miss)
+checkCount (const char* name, std::size_t count, std::size_t wanted)
 {
-  if (count != 2 && !(may_miss && count == 0))
-    throw UsageError (std::string (name) + ": given " + std::to_string (count) +
-                      " times; give it twice, reference first");
+  const std::string given =
+      std::string (name) + ": given " + std::to_string (count) + " times; ";
+  if (count < 2)
+    throw UsageError (given + "give it twice or more, in the order of time");
+  if (count != wanted)
+    throw UsageError (given + "give it once a frame, as --depth");
 }
 
 void
-checkInputs (const Options& options)
+checkFiles (const Options& options)
 {
   const bool images = !options.color.empty() || !options.depth.empty();
   if (images && !options.cloud.empty())
     throw UsageError ("--cloud: not together with --color or --depth");
   if (options.cloud.empty()) {
-    checkCount ("--depth", options.depth.size(), false);
-    checkCount ("--color", options.color.size(), true);
+    checkCount ("--depth", options.depth.size(), options.depth.size());
+    if (!options.color.empty())
+      checkCount ("--color", options.color.size(), options.depth.size());
     if (!options.camera)
       throw UsageError ("--camera: missing; give FX,FY,CX,CY in pixels");
   }
   else
-    checkCount ("--cloud", options.cloud.size(), false);
+    checkCount ("--cloud", options.cloud.size(), options.cloud.size());
   if (options.output.empty())
     throw UsageError ("--output: missing; give a folder for the results");
+}
+
+void
+checkInputs (const Options& options)
+{
+  const bool files =
+      !options.color.empty() || !options.depth.empty() || !options.cloud.empty();
+  if (options.sequence.empty())
+    checkFiles (options);
+  else if (files)
+    throw UsageError ("'" + options.sequence +
+                      "': not together with --color, --depth or --cloud");
+  if (options.window < 0 || options.window == 1)
+    throw UsageError ("--window: must be 0 or at least 2");
+  if (options.reference < 0)
+    throw UsageError ("--reference: must be >= 0");
 }
 
 template <typename Parameters>
@@ -98,7 +125,7 @@ Options
 parseOptions (int argc, const char* const* argv)
 {
   Options options;
-  readWords (argc, argv, makeOptionTable (options));
+  readWords (argc, argv, makeOptionTable (options), options.sequence);
   if (options.help)
     return options;
   checkInputs (options);
@@ -106,6 +133,9 @@ parseOptions (int argc, const char* const* argv)
   checkParameters (options.segmentation);
   checkParameters (options.energy);
   checkParameters (options.solver);
+  checkParameters (options.multiframe);
+  if (options.rigid)
+    options.segmentation.method = SegmentationMethod::Single;
   if (options.flow_maximum < 0.0)
     throw UsageError ("--flow-max: must be >= 0");
   return options;
@@ -115,13 +145,17 @@ void
 printHelp (const char* program)
 {
   using namespace pcl::console;
-  print_info ("Piecewise-rigid scene flow between two RGB-D frames.\n\n");
+  print_info ("Piecewise-rigid scene flow between RGB-D frames.\n\n");
   print_info ("Syntax: %s --color C0.png --depth D0.png --color C1.png --depth D1.png "
               "--camera FX,FY,CX,CY --depth-scale S --output DIR\n",
               program);
   print_info ("    or: %s --cloud A.pcd --cloud B.pcd [--camera FX,FY,CX,CY] --output "
               "DIR\n",
               program);
+  print_info ("    or: %s FOLDER [--window N] [--output DIR]\n", program);
+  print_info ("Give --color, --depth or --cloud once a frame, in the order of time. "
+              "FOLDER is a recording:\ncolor_K.png, depth_K.png and camera.txt, or one "
+              "of the data sets' layouts (TUM RGB-D, ...).\n");
   Options defaults;
   for (const OptionGroup& group : makeOptionTable (defaults)) {
     print_info ("\n%s:\n", group.title.c_str());

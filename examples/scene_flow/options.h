@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/parameters.h>
 #include <pcl_msf/pinhole_camera.h>
 
@@ -21,12 +22,16 @@ public:
 
 /** \brief Everything that the command line says. */
 struct Options {
-  std::vector<std::string> color; ///< two files or none
-  std::vector<std::string> depth; ///< two files, or none with clouds
-  std::vector<std::string> cloud; ///< two files, or none with images
+  std::vector<std::string> color; ///< two files or more, or none
+  std::vector<std::string> depth; ///< two files or more, or none with clouds
+  std::vector<std::string> cloud; ///< two files or more, or none with images
+  std::string sequence;           ///< a recording's folder in place of files
+  int window{0};                  ///< frames solved jointly; 0 = all files, or 4
+  int reference{0};               ///< place in the window
+  bool rigid{false};              ///< the whole scene is one body
   std::optional<PinholeCamera> camera;
   std::optional<double> depth_scale; ///< units per metre
-  std::string output;                ///< folder
+  std::string output;                ///< folder; empty with a sequence = named after it
   std::string labels;                ///< label image in place of the segmentation
   double flow_maximum{0.0};          ///< of the flow colours, pixels; 0 = automatic
   bool quiet{false};
@@ -35,6 +40,7 @@ struct Options {
   SegmentationParameters segmentation;
   EnergyParameters energy;
   SolverParameters solver;
+  MultiframeParameters multiframe;
 };
 
 /** \brief Reads the command line. \throws UsageError */

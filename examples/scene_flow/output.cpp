@@ -6,44 +6,80 @@
 #include "pictures.h"
 #include <pcl_msf/io/float_files.h>
 #include <pcl_msf/io/images.h>
+#include <pcl_msf/io/pose_files.h>
 
 #include <chrono>
 #include <filesystem>
+#include <string>
 
 namespace pcl_msf::tool {
 
 namespace {
 
 void
-writeData (const Outcome& o, const std::filesystem::path& folder)
+writeData (const Outcome& o, int frame, const std::filesystem::path& folder)
 {
-  const SceneFlow& flow = o.scene_flow;
-  const auto path = [&folder] (const char* name) { return (folder / name).string(); };
-  io::writeFlow (path ("flow_0_1.flo"), flow.flow);
-  io::writeLabels (path ("labels_0.png"), flow.labels);
-  io::writeLabels (path ("bodies_0.png"), io::bodyImage (flow));
-  io::writeImage (path ("visibility_0_1.png"), flow.visibility);
-  io::writeImage (path ("visible_0_1.png"), io::visibilityMask (flow.visibility));
+  const SceneFlow& flow = o.result.frames[frame];
+  const cv::Mat& color = o.images[o.result.reference].color;
+  const std::string pair = pairName (o, frame);
+  const auto path = [&] (const std::string& name, const char* type) {
+    return (folder / (name + pair + type)).string();
+  };
+  io::writeFlow (path ("flow", ".flo"), flow.flow);
+  io::writeImage (path ("visibility", ".png"), flow.visibility);
+  io::writeImage (path ("visible", ".png"), io::visibilityMask (flow.visibility));
   throwIfInterrupted();
-  io::writeSceneFlowCloud (path ("scene_flow_0_1.pcd"), flow, o.reference_color);
+  io::writeSceneFlowCloud (path ("scene_flow", ".pcd"), flow, color);
   throwIfInterrupted();
-  io::writeWarpedCloud (path ("warped_0_1.pcd"), flow, o.reference_color);
+  io::writeWarpedCloud (path ("warped", ".pcd"), flow, color);
+}
+
+/** What belongs to the window as a whole. */
+void
+writeWindow (const Outcome& o, bool several, const std::filesystem::path& folder)
+{
+  const std::string reference = std::to_string (o.reference());
+  io::writeLabels ((folder / ("labels_" + reference + ".png")).string(),
+                   o.lastFlow().labels);
+  io::writeLabels ((folder / ("bodies_" + reference + ".png")).string(),
+                   io::bodyImage (o.lastFlow()));
+  if (o.result.frames.size() <= 2)
+    return;
+  const std::string name = several ? "poses_" + reference : "poses";
+  for (const char* type : {".yaml", ".json"})
+    io::writePoses ((folder / (name + type)).string(), o.result, o.first);
 }
 
 } // namespace
 
+std::string
+pairName (const Outcome& outcome, int frame)
+{
+  return "_" + std::to_string (outcome.reference()) + "_" +
+         std::to_string (outcome.first + frame);
+}
+
 void
-writeOutcome (Outcome& outcome, const Options& options)
+writeOutcome (Outcome& outcome, const Options& options, bool several)
 {
   const auto begin = std::chrono::steady_clock::now();
   const std::filesystem::path folder = options.output;
-  writeData (outcome, folder);
-  writePictures (outcome, options);
+  const int count = static_cast<int> (outcome.result.frames.size());
+  writeWindow (outcome, several, folder);
+  for (int k = 0; k < count; ++k)
+    if (k != outcome.result.reference) {
+      writeData (outcome, k, folder);
+      writePictures (outcome, k, options, several);
+    }
   const std::chrono::duration<double> seconds =
       std::chrono::steady_clock::now() - begin;
   outcome.seconds.write = seconds.count();
-  io::writeReport (
-      (folder / "report.json").string(), outcome.scene_flow, outcome.seconds);
+  const std::string report =
+      several ? "report_" + std::to_string (outcome.reference()) : "report";
+  io::writeReport ((folder / (report + ".json")).string(),
+                   outcome.lastFlow(),
+                   outcome.seconds,
+                   count);
 }
 
 } // namespace pcl_msf::tool

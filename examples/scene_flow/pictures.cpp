@@ -3,6 +3,7 @@
 #include "pictures.h"
 
 #include "interruption.h"
+#include "output.h"
 #include <pcl_msf/io/figures.h>
 #include <pcl_msf/io/flow_color.h>
 #include <pcl_msf/io/images.h>
@@ -26,7 +27,7 @@ public:
   explicit Album (const std::filesystem::path& folder) : folder_ (folder) {}
 
   void
-  write (const char* name, const cv::Mat& picture) const
+  write (const std::string& name, const cv::Mat& picture) const
   {
     throwIfInterrupted();
     io::writeImage ((folder_ / name).string(), picture);
@@ -38,15 +39,15 @@ public:
       pictures_.push_back ({label, picture});
   }
   void
-  add (const char* name, const std::string& label, const cv::Mat& picture)
+  add (const std::string& name, const std::string& label, const cv::Mat& picture)
   {
     write (name, picture);
     show (label, picture);
   }
   void
-  writeOverview () const
+  writeOverview (const std::string& name) const
   {
-    write ("overview.png", io::contactSheet (pictures_, 4, 480));
+    write (name, io::contactSheet (pictures_, 4, 480));
   }
 
 private:
@@ -54,24 +55,30 @@ private:
   std::vector<io::LabelledPicture> pictures_;
 };
 
+/** The reference, a frame of the window, and the motion between them. */
+struct Scene {
+  const SceneFlow& flow;
+  const io::RgbdImages& reference;
+  const io::RgbdImages& current;
+};
+
 cv::Mat
-residualPicture (const Outcome& o)
+residualPicture (const Scene& s)
 {
-  const SceneFlow& flow = o.scene_flow;
-  if (o.reference_color.empty())
-    return io::scalarPicture (io::depthResidual (flow, o.current_depth), 0.0, "m");
+  if (s.reference.color.empty())
+    return io::scalarPicture (io::depthResidual (s.flow, s.current.depth), 0.0, "m");
   const cv::Mat residual =
-      io::brightnessResidual (o.reference_color, o.current_color, flow.flow);
+      io::brightnessResidual (s.reference.color, s.current.color, s.flow.flow);
   return io::scalarPicture (residual, 0.0, "grey levels of 255");
 }
 
 /** Both frames over each other, the current one carried back by the flow. */
 cv::Mat
-overlayAfter (const Outcome& o)
+overlayAfter (const Scene& s)
 {
-  const cv::Mat& flow = o.scene_flow.flow;
-  cv::Mat overlay = io::tintedOverlay (o.reference_color,
-                                       io::warpToReference (o.current_color, flow));
+  const cv::Mat& flow = s.flow.flow;
+  cv::Mat overlay = io::tintedOverlay (s.reference.color,
+                                       io::warpToReference (s.current.color, flow));
   for (int row = 0; row < flow.rows; ++row)
     for (int col = 0; col < flow.cols; ++col)
       if (!std::isfinite (flow.at<cv::Vec2f> (row, col)[0]))
@@ -80,54 +87,65 @@ overlayAfter (const Outcome& o)
 }
 
 void
-addFlow (Album& album, const cv::Mat& flow, double maximum)
+addFlow (Album& album, const std::string& name, const cv::Mat& flow, double maximum)
 {
   const double full = maximum > 0.0 ? maximum : io::flowLength (flow, 0.99);
   const cv::Mat colors = io::flowColors (flow, full);
-  album.write ("flow_0_1.png", colors);
+  album.write (name, colors);
   std::ostringstream label;
   label << "optical flow, full colour " << std::setprecision (3) << full << " px";
   album.show (label.str(), io::flowPicture (flow, full));
 }
 
+/** Both frames over each other, and as a pair to be shown in turn. */
+void
+addOverlays (Album& album, const Outcome& o, const Scene& s, int frame)
+{
+  const std::string pair = pairName (o, frame);
+  album.show ("both frames before",
+              io::tintedOverlay (s.reference.color, s.current.color));
+  album.add ("overlay" + pair + ".png", "both frames after", overlayAfter (s));
+  const io::FlickerPair flicker =
+      io::flickerPair (s.reference.color, s.current.color, s.flow.flow);
+  album.write ("flicker" + pair + "_before.png", flicker.before);
+  album.write ("flicker" + pair + "_after.png", flicker.after);
+}
+
 } // namespace
 
 void
-writePictures (const Outcome& o, const Options& options)
+writePictures (const Outcome& o, int frame, const Options& options, bool several)
 {
-  const SceneFlow& flow = o.scene_flow;
+  const Scene s{o.result.frames[frame], o.images[o.result.reference], o.images[frame]};
+  const std::string reference = "_" + std::to_string (o.reference());
+  const std::string pair = pairName (o, frame) + ".png";
   Album album (options.output);
-  album.show ("reference", o.reference_color);
-  album.show ("current", o.current_color);
-  album.add (
-      "depth_0.png", "depth of the reference", io::depthPicture (o.reference_depth));
-  album.add ("segments_0.png",
-             std::to_string (flow.segments.size()) + " segments",
-             io::segmentOverlay (o.reference_color, flow.labels));
-  addFlow (album, flow.flow, options.flow_maximum);
-  album.add ("motions_0.png",
-             std::to_string (flow.bodies) + " motion groups",
-             io::motionOverlay (o.reference_color, flow));
-  album.add ("occlusion_0_1.png",
+  album.show ("reference", s.reference.color);
+  album.show ("current", s.current.color);
+  album.add ("depth" + reference + ".png",
+             "depth of the reference",
+             io::depthPicture (s.reference.depth));
+  album.add ("segments" + reference + ".png",
+             std::to_string (s.flow.segments.size()) + " segments",
+             io::segmentOverlay (s.reference.color, s.flow.labels));
+  addFlow (album, "flow" + pair, s.flow.flow, options.flow_maximum);
+  album.add ("motions" + reference + ".png",
+             std::to_string (s.flow.bodies) + " motion groups",
+             io::motionOverlay (s.reference.color, s.flow));
+  album.add ("occlusion" + pair,
              "visibility",
-             io::visibilityPicture (o.reference_color, flow.visibility));
-  album.add ("weights_0.png",
+             io::visibilityPicture (s.reference.color, s.flow.visibility));
+  album.add ("weights" + reference + ".png",
              "connections of segments",
-             io::weightsPicture (o.reference_color, flow));
-  album.add ("residual_0_1.png", "residual", residualPicture (o));
-  if (!o.reference_color.empty()) {
-    album.show ("both frames before",
-                io::tintedOverlay (o.reference_color, o.current_color));
-    album.add ("overlay_0_1.png", "both frames after", overlayAfter (o));
-    const io::FlickerPair flicker =
-        io::flickerPair (o.reference_color, o.current_color, flow.flow);
-    album.write ("flicker_0_1_before.png", flicker.before);
-    album.write ("flicker_0_1_after.png", flicker.after);
-  }
-  album.add ("convergence.png",
+             io::weightsPicture (s.reference.color, s.flow));
+  album.add ("residual" + pair, "residual", residualPicture (s));
+  if (!s.reference.color.empty())
+    addOverlays (album, o, s, frame);
+  album.add (several ? "convergence" + reference + ".png" : "convergence.png",
              "convergence",
-             io::convergencePlot (flow.report, {kPlotWidth, kPlotHeight}));
-  album.writeOverview();
+             io::convergencePlot (s.flow.report, {kPlotWidth, kPlotHeight}));
+  if (frame == o.lastTarget())
+    album.writeOverview (several ? "overview" + reference + ".png" : "overview.png");
 }
 
 } // namespace pcl_msf::tool

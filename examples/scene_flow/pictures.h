@@ -6,9 +6,10 @@
 
 namespace pcl_msf::tool {
 
-/** \brief Writes the result's pictures and an overview of them into the output folder.
- * \throws IoError, Interrupted */
+/** \brief Writes the pictures of the result for a frame of the window and, for the last
+ * one, an overview of them into the output folder.
+ * \param several one of many windows, see writeOutcome \throws IoError, Interrupted */
 void
-writePictures (const Outcome& outcome, const Options& options);
+writePictures (const Outcome& outcome, int frame, const Options& options, bool several);
 
 } // namespace pcl_msf::tool

@@ -2,12 +2,11 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "pipeline.h"
 
-#include "inputs.h"
 #include "interruption.h"
 #include "progress_line.h"
+#include <pcl_msf/multiframe_estimator.h>
 #include <pcl_msf/oversegmentation.h>
 #include <pcl_msf/rgbd_frame.h>
-#include <pcl_msf/scene_flow_estimator.h>
 
 #include <algorithm>
 #include <chrono>
@@ -37,46 +36,69 @@ private:
 Oversegmentation
 segment (const Options& options, const Inputs& inputs, const RgbdFrame& frame)
 {
-  if (inputs.labels.empty())
+  const cv::Mat labels = inputs.labels ({frame.width(), frame.height()});
+  if (labels.empty())
     return Oversegmentation::fromFrame (frame, options.segmentation);
-  return Oversegmentation::fromLabels (inputs.labels, frame);
+  return Oversegmentation::fromLabels (labels, frame);
 }
 
-RgbdFrame
-makeFrame (const io::RgbdImages& images, const FrameParameters& parameters)
+/** All frames; the outermost are targets only and need no normals. */
+std::vector<RgbdFrame>
+makeFrames (const Options& options,
+            const std::vector<io::RgbdImages>& images,
+            int reference)
 {
-  return RgbdFrame::fromImages (images.color, images.depth, images.camera, parameters);
+  const auto policy =
+      options.solver.threads == 1 ? std::launch::deferred : std::launch::async;
+  const int count = static_cast<int> (images.size());
+  std::vector<std::future<RgbdFrame>> later;
+  for (int k = 0; k < count; ++k) {
+    FrameParameters parameters = options.frame;
+    if (k != reference && (k == 0 || k == count - 1))
+      parameters.normals = NormalMethod::None;
+    later.push_back (std::async (policy, [&images, k, parameters] {
+      return RgbdFrame::fromImages (
+          images[k].color, images[k].depth, images[k].camera, parameters);
+    }));
+  }
+  std::vector<RgbdFrame> frames;
+  for (auto& frame : later)
+    frames.push_back (frame.get());
+  return frames;
 }
 
 } // namespace
 
+int
+Outcome::lastTarget() const
+{
+  const int last = static_cast<int> (result.frames.size()) - 1;
+  return result.reference == last ? last - 1 : last;
+}
+
 Outcome
-runPipeline (const Options& options)
+runPipeline (const Options& options, const Inputs& inputs, int first, int count)
 {
   if (options.solver.threads > 0)
     cv::setNumThreads (
         std::min (static_cast<int> (options.solver.threads), cv::getNumberOfCPUs()));
   ProgressLine line (!options.quiet);
   Outcome outcome;
+  outcome.first = first;
   StopWatch total, watch;
   line.stage ("load");
-  Inputs inputs = loadInputs (options);
+  outcome.images = inputs.load (first, count);
   outcome.seconds.load = watch.lap();
   throwIfInterrupted();
 
   line.stage ("frames");
-  const auto policy =
-      options.solver.threads == 1 ? std::launch::deferred : std::launch::async;
-  FrameParameters target = options.frame;
-  target.normals = NormalMethod::None;
-  auto later = std::async (policy, [&] { return makeFrame (inputs.current, target); });
-  const RgbdFrame reference = makeFrame (inputs.reference, options.frame);
-  const RgbdFrame current = later.get();
+  const int reference = std::min (options.reference, count - 1);
+  const std::vector<RgbdFrame> frames = makeFrames (options, outcome.images, reference);
   outcome.seconds.frame = watch.lap();
   throwIfInterrupted();
 
   line.stage ("segments");
-  const Oversegmentation segments = segment (options, inputs, reference);
+  const Oversegmentation segments = segment (options, inputs, frames[reference]);
   outcome.seconds.segment = watch.lap();
   throwIfInterrupted();
 
@@ -85,15 +107,10 @@ runPipeline (const Options& options)
     line.update (progress);
     return !interrupted();
   };
-  const SceneFlowEstimator estimator (options.energy, solver);
-  outcome.scene_flow = estimator.estimate (reference, current, segments);
+  const MultiframeEstimator estimator (options.energy, solver, options.multiframe);
+  outcome.result = estimator.estimate (frames, reference, segments);
   outcome.seconds.total = total.lap();
   throwIfInterrupted();
-
-  outcome.reference_color = inputs.reference.color;
-  outcome.current_color = inputs.current.color;
-  outcome.reference_depth = inputs.reference.depth;
-  outcome.current_depth = inputs.current.depth;
   return outcome;
 }
 

@@ -4,25 +4,41 @@
 
 #include <opencv2/core.hpp>
 
+#include "inputs.h"
 #include "options.h"
 #include <pcl_msf/io/result_files.h>
-#include <pcl_msf/scene_flow.h>
+#include <pcl_msf/multiframe_scene_flow.h>
+
+#include <vector>
 
 namespace pcl_msf::tool {
 
-/** \brief What the output is made of. */
+/** \brief What the output of one window is made of. */
 struct Outcome {
-  SceneFlow scene_flow;
-  cv::Mat reference_color; ///< as loaded; empty without colour
-  cv::Mat current_color;   ///< as loaded; empty without colour
-  cv::Mat reference_depth; ///< CV_32FC1, metres
-  cv::Mat current_depth;   ///< CV_32FC1, metres
+  int first{0}; ///< index of the window's frame 0 in the recording
+  MultiframeSceneFlow result;
+  std::vector<io::RgbdImages> images; ///< as loaded, per frame of the window
   io::RunSeconds seconds;
+
+  /** \brief Index in the recording of the frame whose points are followed. */
+  int
+  reference () const
+  {
+    return first + result.reference;
+  }
+  /** \brief The last frame of the window that is a target, and its result. */
+  int
+  lastTarget () const;
+  const SceneFlow&
+  lastFlow () const
+  {
+    return result.frames[lastTarget()];
+  }
 };
 
-/** \brief From files to the result.
+/** \brief From files to the result of the window that begins at a frame.
  * \throws IoError, InvalidInput, UsageError, Interrupted */
 Outcome
-runPipeline (const Options& options);
+runPipeline (const Options& options, const Inputs& inputs, int first, int count);
 
 } // namespace pcl_msf::tool

@@ -10,6 +10,7 @@
 #include <pcl_msf/pinhole_camera.h>
 
 #include <string>
+#include <vector>
 
 namespace pcl_msf {
 
@@ -42,9 +43,14 @@ colorImage (const pcl::PointCloud<PointT>& cloud);
 cv::Mat
 depthImage (const cv::Mat& points);
 
-/** \brief Brings two raw intensity images to [0, 1] by one factor, so that equal values
- * stay equal: none when the larger maximum is at most 1, 1/255 when it is at most 255,
- * one over that maximum above. Negative values become 0. Other types are left alone. */
+/** \brief Brings raw intensity images to [0, 1] by one factor, so that equal values
+ * stay equal: none when the largest maximum is at most 1, 1/255 when it is at most 255,
+ * one over that maximum above. Negative values become 0. All are left alone when one is
+ * of another type or empty. */
+void
+normalizeIntensity (const std::vector<cv::Mat*>& images);
+
+/** \brief As above, for two images. */
 void
 normalizeIntensity (cv::Mat& first, cv::Mat& second);
 

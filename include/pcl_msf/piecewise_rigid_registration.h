@@ -5,20 +5,24 @@
 #include <pcl/registration/registration.h>
 
 #include <pcl_msf/lazy_kd_tree.h>
+#include <pcl_msf/multiframe_estimator.h>
 #include <pcl_msf/registration_settings.h>
 #include <pcl_msf/scene_flow.h>
-#include <pcl_msf/scene_flow_estimator.h>
 
 #include <limits>
+#include <vector>
 
 namespace pcl_msf {
 
 namespace detail {
-struct FramePair;
-}
+/** An empty result. */
+const SceneFlow&
+noSceneFlow ();
+} // namespace detail
 
-/** \brief Piecewise-rigid registration of two organized RGB-D clouds: one rigid motion
- * per segment of the source, solved jointly (Eq. 5).
+/** \brief Piecewise-rigid registration of organized RGB-D clouds: one rigid motion per
+ * segment of the source to one target (Eq. 5) or to each of several, solved jointly
+ * (Eq. 13).
  *
  * \code
  * pcl_msf::PiecewiseRigidRegistration<pcl::PointXYZRGB> registration;
@@ -40,6 +44,13 @@ struct FramePair;
  * fields are the source's. A point without depth or with unknown motion is NaN, never
  * left where it was. The one 4x4 matrix of PCL's interface is the motion of the
  * dominant motion group (the one with most points); all the rest is in getSceneFlow.
+ *
+ * <b>Several targets.</b> addInputTarget and setInputTargets make a window of frames in
+ * the order of time, the source being the one that setReferenceFrame says, the first by
+ * default. align's cloud, the 4x4 matrix, the correspondences and the fitness score
+ * then belong to the last target; getSceneFlow (frame), getWarpedCloud (frame) and
+ * getPose give all of them. With one target the result is that of two frames, bit for
+ * bit. Time grows with the number of pairs of frames.
  *
  * <b>Indices.</b> With setIndices the segments that hold at least one of those points
  * take part, with all of their points, and the output holds those points alone, n x 1
@@ -93,9 +104,39 @@ public:
   void
   setInputSource (const PointCloudSourceConstPtr& cloud) override;
 
-  /** \brief The current cloud. */
+  /** \brief The current cloud, the only target. */
   void
   setInputTarget (const PointCloudTargetConstPtr& cloud) override;
+
+  /** \brief One more target, after those given so far. An empty or null one is refused:
+   * nothing is added. */
+  void
+  addInputTarget (const PointCloudTargetConstPtr& cloud);
+
+  /** \brief All targets, in the order of time. An empty or null one among them drops
+   * all. */
+  void
+  setInputTargets (const std::vector<PointCloudTargetConstPtr>& clouds);
+
+  /** \brief Drops all targets. */
+  void
+  clearInputTargets ();
+
+  std::vector<PointCloudTargetConstPtr>
+  getInputTargets () const
+  {
+    return targets_;
+  }
+
+  /** \brief Place of the source among the frames, 0 (default, before all targets) to
+   * the number of targets; judged in align. */
+  void
+  setReferenceFrame (int frame);
+  int
+  getReferenceFrame () const
+  {
+    return reference_;
+  }
 
   /** \brief Points of the source to work on; a null pointer = all. */
   void
@@ -141,19 +182,44 @@ public:
     return *this->correspondences_;
   }
 
-  /** \brief Everything that the last align found, on the source's pixels. Images are
-   * empty after a failure and before the first align. */
+  /** \brief Everything that the last align found about the motion to the last target,
+   * on the source's pixels. Images are empty after a failure and before the first
+   * align.
+   */
   const SceneFlow&
   getSceneFlow () const
   {
-    return scene_flow_;
+    return result_.frames.empty() ? detail::noSceneFlow() : result_.frames[shown_];
   }
+
+  /** \brief The same for another frame of the window, 0 .. number of targets. Empty,
+   * with a PCL_ERROR, for frames that there are none of; empty for the source's own. */
+  const SceneFlow&
+  getSceneFlow (int frame) const;
+
+  /** \brief All frames, and the poses of all pairs of them. */
+  const MultiframeSceneFlow&
+  getMultiframeSceneFlow () const
+  {
+    return result_;
+  }
+
+  /** \brief The source carried to a frame of the window by the last align, organized
+   * like the source, all points; see align's cloud. Empty, with a PCL_ERROR, for frames
+   * that there are none of. */
+  PointCloudSource
+  getWarpedCloud (int frame) const;
+
+  /** \brief T_k^{from,to} of a segment: takes points of frame `from` to frame `to`. The
+   * identity, with a PCL_ERROR, for frames or segments that there are none of. */
+  Matrix4
+  getPose (int from, int to, int segment) const;
 
   /** \brief How the last align went: stop reason, message, times, energy. */
   const Report&
   getReport () const
   {
-    return scene_flow_.report;
+    return getSceneFlow().report;
   }
 
 protected:
@@ -164,17 +230,21 @@ protected:
 private:
   void
   checkInput () const;
-  detail::FramePair
+  std::vector<RgbdFrame>
   makeFrames () const;
   Oversegmentation
   cutSegments (const RgbdFrame& reference) const;
   void
-  minimizeEnergy (const detail::FramePair& frames,
+  minimizeEnergy (const std::vector<RgbdFrame>& frames,
                   const Oversegmentation& segments,
                   const Matrix4& guess,
                   double seconds_gone);
   void
-  warp (PointCloudSource& output) const;
+  take (MultiframeSceneFlow result);
+  void
+  warp (const SceneFlow& flow,
+        const pcl::Indices& indices,
+        PointCloudSource& output) const;
   void
   findCorrespondences (const PointCloudSource& warped);
   void
@@ -186,7 +256,10 @@ private:
   void
   adoptIndices ();
 
-  SceneFlow scene_flow_;
+  std::vector<PointCloudTargetConstPtr> targets_; ///< in the order of time
+  int reference_{0};
+  MultiframeSceneFlow result_;
+  int shown_{0}; ///< frame of the last target, in result_
   pcl::IndicesPtr requested_indices_;
   bool indices_fit_{true};
 

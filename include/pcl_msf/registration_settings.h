@@ -6,6 +6,7 @@
 #include <pcl/point_types.h>
 #include <pcl/PointIndices.h>
 
+#include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/parameters.h>
 #include <pcl_msf/pinhole_camera.h>
 
@@ -86,6 +87,29 @@ public:
   getSegmentationMethod () const
   {
     return segmentation_.method;
+  }
+
+  /** \brief true: the whole scene is one rigid body, one segment of all points,
+   * whatever the segmentation method; for static scenes and the camera's own motion. No
+   * effect while a segmentation from outside is set. */
+  void
+  setRigid (bool rigid)
+  {
+    rigid_ = rigid;
+  }
+  bool
+  isRigid () const
+  {
+    return rigid_;
+  }
+
+  /** \brief Weights and rules for several targets (Eq. 13 and 14). */
+  void
+  setMultiframeParameters (const MultiframeParameters& parameters);
+  MultiframeParameters
+  getMultiframeParameters () const
+  {
+    return multiframe_;
   }
 
   /** \brief Aimed side of a segment, pixels, [4, 512]. */
@@ -189,6 +213,8 @@ protected:
   SegmentationParameters segmentation_;
   EnergyParameters energy_;
   SolverParameters solver_;
+  MultiframeParameters multiframe_;
+  bool rigid_{false};
   NormalCloudConstPtr normals_;
   LabelCloudConstPtr labels_;
   std::vector<pcl::PointIndices> clusters_;

@@ -65,16 +65,17 @@ enum class StopReason {
 const char*
 toString (StopReason reason);
 
-/** \brief Energy (Eq. 5), by term; weighted and normalized. */
+/** \brief Energy (Eq. 5 or 13), by term; weighted and normalized. */
 struct EnergyCost {
   double brightness{0.0};
   double icp{0.0};
   double regularizer{0.0};
   double prior{0.0};
+  double concatenation{0.0}; ///< Eq. 14; 0 for two frames
   double
   total () const
   {
-    return brightness + icp + regularizer + prior;
+    return brightness + icp + regularizer + prior + concatenation;
   }
 };
 

@@ -44,6 +44,13 @@ public:
                 const Oversegmentation& segments,
                 const std::vector<RigidPose>& start) const;
 
+  /** \brief Does estimate take this? \throws InvalidInput when not, as estimate */
+  void
+  requireUsable (const RgbdFrame& reference,
+                 const RgbdFrame& current,
+                 const Oversegmentation& segments,
+                 const RigidPose& guess = {}) const;
+
 private:
   EnergyParameters energy_;
   SolverParameters solver_;

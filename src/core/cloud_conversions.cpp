@@ -68,18 +68,25 @@ depthImage (const cv::Mat& points)
 }
 
 void
+normalizeIntensity (const std::vector<cv::Mat*>& images)
+{
+  double largest = 0.0;
+  for (const cv::Mat* image : images) {
+    if (image->type() != CV_32FC1 || image->empty())
+      return;
+    double maximum = 0.0;
+    cv::minMaxLoc (*image, nullptr, &maximum);
+    largest = std::max (largest, maximum);
+  }
+  const double unit = largest <= 1.0 ? 1.0 : std::max (largest, 255.0);
+  for (cv::Mat* image : images)
+    *image = cv::max (*image / unit, 0.0);
+}
+
+void
 normalizeIntensity (cv::Mat& first, cv::Mat& second)
 {
-  if (first.type() != CV_32FC1 || second.type() != CV_32FC1 || first.empty() ||
-      second.empty())
-    return;
-  double maximum[2];
-  cv::minMaxLoc (first, nullptr, &maximum[0]);
-  cv::minMaxLoc (second, nullptr, &maximum[1]);
-  const double largest = std::max (maximum[0], maximum[1]);
-  const double unit = largest <= 1.0 ? 1.0 : std::max (largest, 255.0);
-  for (cv::Mat* image : {&first, &second})
-    *image = cv::max (*image / unit, 0.0);
+  normalizeIntensity ({&first, &second});
 }
 
 cv::Mat

@@ -92,6 +92,16 @@ makeRules (const EnergyParameters& energy, const SegmentPixels& pixels)
   return rules;
 }
 
+double
+residualScale (const EnergyParameters& energy, const SegmentPixels& pixels)
+{
+  const double alpha = pixels.brightness_count > 0 ? energy.brightness_weight : 0.0;
+  const double beta = pixels.icp_count > 0 ? energy.icp_weight : 0.0;
+  const int count =
+      (alpha > 0.0 ? pixels.brightness_count : 0) + (beta > 0.0 ? pixels.icp_count : 0);
+  return count / std::max (alpha + beta, 1e-12);
+}
+
 Texture::Texture (const FrameLevel& level)
 : texels_ (level.height(), level.width(), CV_32FC2), camera_ (level.camera)
 {

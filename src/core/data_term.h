@@ -30,6 +30,10 @@ struct SegmentQuadratic {
 kernel::Rules
 makeRules (const EnergyParameters& energy, const SegmentPixels& pixels);
 
+/** \brief Energy times this = sum of half squared deviations. */
+double
+residualScale (const EnergyParameters& energy, const SegmentPixels& pixels);
+
 /** \brief The frame's level as the kernels read it: intensity and inverse depth. */
 class Texture {
 public:

@@ -2,61 +2,15 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/joint_solver.h"
 
+#include "core/ceres_options.h"
 #include "core/joint_problem.h"
 #include "core/pose_coupling.h"
 #include "core/terms_callback.h"
-#include <ceres/iteration_callback.h>
-#include <ceres/solver.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace pcl_msf {
-
-namespace {
-
-/** Passes iterations on and ends the solve when the monitor says so. */
-class MonitorCallback : public ceres::IterationCallback {
-public:
-  explicit MonitorCallback (SolveMonitor& monitor) : monitor_ (monitor) {}
-
-  ceres::CallbackReturnType
-  operator() (const ceres::IterationSummary& summary) override
-  {
-    if (summary.iteration == 0)
-      return monitor_.stopped() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY
-                                : ceres::SOLVER_CONTINUE;
-    return monitor_.step (summary.cost) ? ceres::SOLVER_CONTINUE
-                                        : ceres::SOLVER_TERMINATE_SUCCESSFULLY;
-  }
-
-private:
-  SolveMonitor& monitor_;
-};
-
-ceres::Solver::Options
-solverOptions (const SolverParameters& solver, const SolveMonitor& monitor)
-{
-  ceres::Solver::Options options;
-  options.minimizer_type = ceres::TRUST_REGION;
-  options.trust_region_strategy_type = ceres::LEVENBERG_MARQUARDT;
-  options.linear_solver_type = solver.linear_solver == LinearSolver::Cgnr
-                                   ? ceres::CGNR
-                                   : ceres::SPARSE_NORMAL_CHOLESKY;
-  options.preconditioner_type = ceres::JACOBI;
-  options.eta = 1e-2;
-  options.use_nonmonotonic_steps = true;
-  options.max_num_iterations = solver.max_iterations;
-  options.function_tolerance = solver.function_tolerance;
-  options.parameter_tolerance = solver.parameter_tolerance;
-  options.gradient_tolerance = 0.0;
-  options.max_solver_time_in_seconds = monitor.secondsLeft();
-  options.logging_type = ceres::SILENT;
-  options.num_threads = 1; // the sweep is parallel; the rest is small
-  return options;
-}
-
-} // namespace
 
 double
 JointEnergy::unit (const SegmentLink& link) const
@@ -144,7 +98,7 @@ JointEnergy::minimize (const SolverParameters& solver,
   outcome.initial = evaluate (state);
   JointProblem problem (*this, state);
   MonitorCallback callback (monitor);
-  ceres::Solver::Options options = solverOptions (solver, monitor);
+  ceres::Solver::Options options = ceresOptions (solver, monitor);
   monitor.noteTerms (outcome.initial);
   TermsCallback terms (monitor, *this, state);
   options.update_state_every_iteration = true; // for the terms

@@ -70,6 +70,16 @@ RegistrationSettings::setSegmentationMethod (SegmentationMethod method)
 }
 
 void
+RegistrationSettings::setMultiframeParameters (const MultiframeParameters& parameters)
+{
+  std::string why;
+  if (parameters.isValid (&why))
+    multiframe_ = parameters;
+  else
+    printError ("setMultiframeParameters", why);
+}
+
+void
 RegistrationSettings::setSegmentSize (int pixels)
 {
   SegmentationParameters parameters = segmentation_;

@@ -52,50 +52,76 @@ checkedCamera (const PinholeCamera& camera, const CloudImages& source)
 }
 
 PinholeCamera
-estimatedCamera (const CloudImages& source, const CloudImages& target)
+estimatedCamera (const std::vector<CloudImages>& clouds, int reference)
 {
   PinholeCamera camera;
   std::string why;
-  if (!estimateCamera (source.points, camera, &why))
+  if (!estimateCamera (clouds[reference].points, camera, &why))
     throw InvalidInput ("no camera is set and the source does not tell it: " + why +
                         "; call setCamera");
-  if (projectionError (target.points, camera) > kSuspiciousError)
-    throw InvalidInput ("the target was not taken by the camera estimated from the "
-                        "source; give clouds of one camera, or call setCamera");
+  for (const CloudImages& target : clouds)
+    if (projectionError (target.points, camera) > kSuspiciousError)
+      throw InvalidInput ("the target was not taken by the camera estimated from the "
+                          "source; give clouds of one camera, or call setCamera");
   return camera;
+}
+
+void
+requireOneSize (const std::vector<CloudImages>& clouds,
+                int reference,
+                const cv::Mat& normals)
+{
+  const cv::Mat& source = clouds[reference].points;
+  for (const CloudImages& target : clouds)
+    if (target.points.size() != source.size())
+      throw InvalidInput ("the source has " + sizeText (source) +
+                          " points, the target " + sizeText (target.points) +
+                          ": give clouds of one size");
+  if (!normals.empty() && normals.size() != source.size())
+    throw InvalidInput ("the source has " + sizeText (source) +
+                        " points, its normals " + sizeText (normals) +
+                        ": call setSourceNormals with the source's own, or with null");
 }
 
 } // namespace
 
-FramePair
-makeFrames (CloudImages source,
-            CloudImages target,
+std::vector<RgbdFrame>
+makeFrames (std::vector<CloudImages> clouds,
+            int reference,
             const PinholeCamera& camera,
             const FrameParameters& parameters,
             const cv::Mat& source_normals)
 {
-  if (source.points.size() != target.points.size())
-    throw InvalidInput ("the source has " + sizeText (source.points) +
-                        " points, the target " + sizeText (target.points) +
-                        ": give clouds of one size");
-  if (!source_normals.empty() && source_normals.size() != source.points.size())
-    throw InvalidInput ("the source has " + sizeText (source.points) +
-                        " points, its normals " + sizeText (source_normals) +
-                        ": call setSourceNormals with the source's own, or with null");
-  const cv::Mat source_depth = depthImage (source.points);
-  const cv::Mat target_depth = depthImage (target.points);
-  requireDepth (source_depth, parameters, "source");
-  requireDepth (target_depth, parameters, "target");
-  const PinholeCamera used = camera.fx != 0.0 ? checkedCamera (camera, source)
-                                              : estimatedCamera (source, target);
-  normalizeIntensity (source.color, target.color);
+  requireOneSize (clouds, reference, source_normals);
+  const int count = static_cast<int> (clouds.size());
+  std::vector<cv::Mat> depths;
+  for (const CloudImages& cloud : clouds)
+    depths.push_back (depthImage (cloud.points));
+  requireDepth (depths[reference], parameters, "source");
+  for (int k = 0; k < count; ++k)
+    if (k != reference)
+      requireDepth (depths[k], parameters, "target");
+  const PinholeCamera used = camera.fx != 0.0
+                                 ? checkedCamera (camera, clouds[reference])
+                                 : estimatedCamera (clouds, reference);
+  std::vector<cv::Mat*> colors;
+  for (CloudImages& cloud : clouds)
+    colors.push_back (&cloud.color);
+  normalizeIntensity (colors);
   cv::Mat normals = source_normals.clone();
   if (!normals.empty())
     cv::patchNaNs (normals, 0.0);
-  FrameParameters target_parameters = parameters;
-  target_parameters.normals = NormalMethod::None;
-  return {RgbdFrame::fromImages (source.color, source_depth, used, parameters, normals),
-          RgbdFrame::fromImages (target.color, target_depth, used, target_parameters)};
+  std::vector<RgbdFrame> frames;
+  for (int k = 0; k < count; ++k) {
+    // The outermost frames are targets only: nothing is aligned from there.
+    const bool outermost = k != reference && (k == 0 || k == count - 1);
+    FrameParameters own = parameters;
+    if (outermost)
+      own.normals = NormalMethod::None;
+    frames.push_back (RgbdFrame::fromImages (
+        clouds[k].color, depths[k], used, own, k == reference ? normals : cv::Mat()));
+  }
+  return frames;
 }
 
 Oversegmentation
@@ -160,13 +186,43 @@ pixelOf (const Eigen::Vector3f& point, const PinholeCamera& camera, cv::Size siz
   return v * size.width + u;
 }
 
-SceneFlow
+MultiframeSceneFlow
 failedFlow (StopReason reason, const std::string& message)
 {
-  SceneFlow flow;
-  flow.report.stop_reason = reason;
-  flow.report.message = message;
-  return flow;
+  MultiframeSceneFlow result;
+  result.frames.resize (1);
+  result.frames[0].report.stop_reason = reason;
+  result.frames[0].report.message = message;
+  return result;
+}
+
+const SceneFlow&
+noSceneFlow ()
+{
+  static const SceneFlow none;
+  return none;
+}
+
+int
+lastTarget (int frames, int reference)
+{
+  return reference == frames - 1 ? frames - 2 : frames - 1;
+}
+
+std::string
+findPose (const MultiframeSceneFlow& result,
+          int from,
+          int to,
+          int segment,
+          Eigen::Matrix4f& pose)
+{
+  try {
+    pose = result.poseBetween (from, to, segment).matrix();
+    return {};
+  }
+  catch (const InvalidInput& error) {
+    return error.what();
+  }
 }
 
 std::function<bool (const Progress&)>

@@ -12,29 +12,6 @@ namespace pcl_msf {
 namespace {
 
 void
-requireUsable (const RgbdFrame& reference,
-               const RgbdFrame& current,
-               const Oversegmentation& segments,
-               const EnergyParameters& energy,
-               const SolverParameters& solver)
-{
-  std::string why;
-  if (!energy.isValid (&why))
-    throw InvalidInput ("energy parameters: " + why);
-  if (!solver.isValid (&why))
-    throw InvalidInput ("solver parameters: " + why);
-  if (reference.empty() || current.empty())
-    throw InvalidInput ("a frame is empty");
-  if (reference.width() != current.width() || reference.height() != current.height())
-    throw InvalidInput ("the frames differ in size; resample one of them");
-  if (reference.hasIntensity() != current.hasIntensity())
-    throw InvalidInput ("one frame has colour and the other has none");
-  if (segments.size() < 1 || segments.labels().cols != reference.width() ||
-      segments.labels().rows != reference.height())
-    throw InvalidInput ("the segmentation is not of the reference frame");
-}
-
-void
 requireSane (const RigidPose& pose, const char* name)
 {
   constexpr double kAbsurd = 1e6; // metres or radians; far below what overflows
@@ -46,14 +23,36 @@ requireSane (const RigidPose& pose, const char* name)
 
 } // namespace
 
+void
+SceneFlowEstimator::requireUsable (const RgbdFrame& reference,
+                                   const RgbdFrame& current,
+                                   const Oversegmentation& segments,
+                                   const RigidPose& guess) const
+{
+  std::string why;
+  if (!energy_.isValid (&why))
+    throw InvalidInput ("energy parameters: " + why);
+  if (!solver_.isValid (&why))
+    throw InvalidInput ("solver parameters: " + why);
+  if (reference.empty() || current.empty())
+    throw InvalidInput ("a frame is empty");
+  if (reference.width() != current.width() || reference.height() != current.height())
+    throw InvalidInput ("the frames differ in size; resample one of them");
+  if (reference.hasIntensity() != current.hasIntensity())
+    throw InvalidInput ("one frame has colour and the other has none");
+  if (segments.size() < 1 || segments.labels().cols != reference.width() ||
+      segments.labels().rows != reference.height())
+    throw InvalidInput ("the segmentation is not of the reference frame");
+  requireSane (guess, "the guess");
+}
+
 SceneFlow
 SceneFlowEstimator::estimate (const RgbdFrame& reference,
                               const RgbdFrame& current,
                               const Oversegmentation& segments,
                               const RigidPose& guess) const
 {
-  requireUsable (reference, current, segments, energy_, solver_);
-  requireSane (guess, "the guess");
+  requireUsable (reference, current, segments, guess);
   return TwoFrameSolve (reference, current, segments, energy_, solver_).run (guess);
 }
 
@@ -63,7 +62,7 @@ SceneFlowEstimator::estimateFrom (const RgbdFrame& reference,
                                   const Oversegmentation& segments,
                                   const std::vector<RigidPose>& start) const
 {
-  requireUsable (reference, current, segments, energy_, solver_);
+  requireUsable (reference, current, segments);
   if (start.size() != static_cast<std::size_t> (segments.size()))
     throw InvalidInput ("there are " + std::to_string (start.size()) +
                         " start poses for " + std::to_string (segments.size()) +

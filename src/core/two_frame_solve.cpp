@@ -62,15 +62,22 @@ TwoFrameSolve::TwoFrameSolve (const RgbdFrame& reference,
 SceneFlow
 TwoFrameSolve::run (const RigidPose& guess)
 {
-  prepare();
-  start (guess);
-  report_.start_seconds = monitor_.seconds();
-  for (int level = std::min (kCoarsestLevel, levels_ - 1); level >= 0; --level)
-    refine (level);
-  report_.solve_seconds = monitor_.seconds() - report_.start_seconds;
+  solve (guess, 0);
   SceneFlow result;
   finish (result);
   return result;
+}
+
+void
+TwoFrameSolve::solve (const RigidPose& guess, int finest_level)
+{
+  prepare();
+  start (guess);
+  report_.start_seconds = monitor_.seconds();
+  const int finest = std::min (finest_level, levels_ - 1);
+  for (int level = std::min (kCoarsestLevel, levels_ - 1); level >= finest; --level)
+    refine (level);
+  report_.solve_seconds = monitor_.seconds() - report_.start_seconds;
 }
 
 /** Labels of all levels and the noise that residuals are measured in. */
@@ -100,17 +107,6 @@ TwoFrameSolve::levelData (int level, bool with_pixels) const
                     change_,
                     with_pixels,
                     threads_);
-}
-
-/** Energy times this = sum of half squared deviations. */
-double
-TwoFrameSolve::residualScale (const SegmentPixels& pixels) const
-{
-  const double alpha = pixels.brightness_count > 0 ? energy_.brightness_weight : 0.0;
-  const double beta = pixels.icp_count > 0 ? energy_.icp_weight : 0.0;
-  const int count =
-      (alpha > 0.0 ? pixels.brightness_count : 0) + (beta > 0.0 ? pixels.icp_count : 0);
-  return count / std::max (alpha + beta, 1e-12);
 }
 
 /** Poses worth descending from: the guess, rest, and what optical flow suggests; for
@@ -226,7 +222,7 @@ TwoFrameSolve::refine (int at)
 MergeRules
 TwoFrameSolve::mergeRules (const LevelData& level) const
 {
-  return {residualScale (level.pixels), kMergeAllowance, kMergePerPoint};
+  return {residualScale (energy_, level.pixels), kMergeAllowance, kMergePerPoint};
 }
 
 void
@@ -248,7 +244,8 @@ TwoFrameSolve::finish (SceneFlow& result)
   data.sweep (state_, DataTerm::Pass::Linearize);
   result.camera = reference_.camera();
   result.labels = segments_.labels();
-  fillSegments (data, links_, state_, residualScale (pixels), threads_, result);
+  fillSegments (
+      data, links_, state_, residualScale (energy_, pixels), threads_, result);
   fillPoints (data, current_.camera(), solver_.blend_motions, threads_, result);
   concludeReport (result);
   result.report.result_seconds = monitor_.seconds() - before;

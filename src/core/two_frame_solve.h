@@ -41,6 +41,37 @@ public:
     given_start_ = poses;
   }
 
+  /** \brief start () and refine () down to a level, without a result: what a window of
+   * more frames begins with. */
+  void
+  solve (const RigidPose& guess, int finest_level);
+
+  const MotionState&
+  state () const
+  {
+    return state_;
+  }
+  const std::vector<SegmentLink>&
+  links () const
+  {
+    return links_;
+  }
+  const NoiseModel&
+  noise () const
+  {
+    return noise_;
+  }
+  const BrightnessChange&
+  brightnessChange () const
+  {
+    return change_;
+  }
+  const SolveMonitor&
+  monitor () const
+  {
+    return monitor_;
+  }
+
 private:
   void
   prepare ();
@@ -63,8 +94,6 @@ private:
 
   LevelData
   levelData (int level, bool with_pixels) const;
-  double
-  residualScale (const SegmentPixels& pixels) const;
 
   const RgbdFrame& reference_;
   const RgbdFrame& current_;

@@ -46,6 +46,7 @@ addCost (JsonText& json, const EnergyCost& initial, const EnergyCost& final)
   addTerm (json, "icp", initial.icp, final.icp);
   addTerm (json, "regularizer", initial.regularizer, final.regularizer);
   addTerm (json, "prior", initial.prior, final.prior);
+  addTerm (json, "concatenation", initial.concatenation, final.concatenation);
   json.closeObject();
   json.closeObject();
 }

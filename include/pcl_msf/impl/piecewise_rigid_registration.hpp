@@ -7,6 +7,7 @@
 #include <pcl_msf/cloud_conversions.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/impl/piecewise_rigid_registration_inputs.hpp>
+#include <pcl_msf/impl/piecewise_rigid_registration_results.hpp>
 #include <pcl_msf/impl/registration_steps.h>
 #include <pcl_msf/piecewise_rigid_registration.h>
 
@@ -27,14 +28,16 @@ PiecewiseRigidRegistration<PointT>::computeTransformation (PointCloudSource& out
   try {
     checkInput();
     detail::Stopwatch watch;
-    const detail::FramePair frames = makeFrames(); // section 3.3
+    const std::vector<RgbdFrame> frames = makeFrames(); // section 3.3
     const double frame_seconds = watch.lap();
-    const Oversegmentation segments = cutSegments (frames.reference); // section 3.3
+    const Oversegmentation segments = cutSegments (frames[reference_]); // section 3.3
     const double segment_seconds = watch.lap();
-    minimizeEnergy (frames, segments, guess, frame_seconds + segment_seconds); // Eq. 5
-    scene_flow_.report.frame_seconds = frame_seconds;
-    scene_flow_.report.segment_seconds = segment_seconds;
-    warp (output); // Eq. 1
+    minimizeEnergy (frames, segments, guess, frame_seconds + segment_seconds); // Eq. 13
+    for (SceneFlow& flow : result_.frames) {
+      flow.report.frame_seconds = frame_seconds;
+      flow.report.segment_seconds = segment_seconds;
+    }
+    warp (getSceneFlow(), *this->indices_, output); // Eq. 1
     findCorrespondences (output);
     publish();
   }
@@ -56,7 +59,7 @@ PiecewiseRigidRegistration<PointT>::checkInput() const
 {
   if (this->input_->empty())
     throw InvalidInput ("there is no source: call setInputSource");
-  if (this->target_->empty())
+  if (targets_.empty())
     throw InvalidInput ("there is no target: call setInputTarget");
   if (!indices_fit_)
     throw InvalidInput ("an index is outside the source: call setIndices with the "
@@ -65,15 +68,24 @@ PiecewiseRigidRegistration<PointT>::checkInput() const
     throw InvalidInput ("the list of indices is empty: call setIndices with some, or "
                         "with a null pointer for all points");
   requireOrganized (*this->input_, "source");
-  requireOrganized (*this->target_, "target");
+  for (const PointCloudTargetConstPtr& target : targets_)
+    requireOrganized (*target, "target");
+  if (reference_ > static_cast<int> (targets_.size()))
+    throw InvalidInput ("the reference frame lies beyond the targets: call "
+                        "setReferenceFrame with 0 to their number");
 }
 
 template <typename PointT>
-detail::FramePair
+std::vector<RgbdFrame>
 PiecewiseRigidRegistration<PointT>::makeFrames() const
 {
-  return detail::makeFrames ({pointImage (*this->input_), colorImage (*this->input_)},
-                             {pointImage (*this->target_), colorImage (*this->target_)},
+  std::vector<detail::CloudImages> clouds;
+  for (const PointCloudTargetConstPtr& target : targets_)
+    clouds.push_back ({pointImage (*target), colorImage (*target)});
+  clouds.insert (clouds.begin() + reference_,
+                 {pointImage (*this->input_), colorImage (*this->input_)});
+  return detail::makeFrames (std::move (clouds),
+                             reference_,
                              camera_,
                              frame_,
                              normals_ ? normalImage (*normals_) : cv::Mat());
@@ -92,8 +104,12 @@ PiecewiseRigidRegistration<PointT>::cutSegments (const RgbdFrame& reference) con
     segments = Oversegmentation::fromLabels (labelImage (*labels_), reference);
   else if (!clusters_.empty())
     segments = Oversegmentation::fromIndices (clusters_, reference);
-  else
-    segments = Oversegmentation::fromFrame (reference, segmentation_);
+  else {
+    SegmentationParameters cut = segmentation_;
+    if (rigid_)
+      cut.method = SegmentationMethod::Single;
+    segments = Oversegmentation::fromFrame (reference, cut);
+  }
   if (this->indices_->size() == this->input_->size())
     return segments;
   return detail::segmentsHolding (*this->indices_, segments, reference);
@@ -101,39 +117,41 @@ PiecewiseRigidRegistration<PointT>::cutSegments (const RgbdFrame& reference) con
 
 template <typename PointT>
 void
-PiecewiseRigidRegistration<PointT>::minimizeEnergy (const detail::FramePair& frames,
-                                                    const Oversegmentation& segments,
-                                                    const Matrix4& guess,
-                                                    double seconds_gone)
+PiecewiseRigidRegistration<PointT>::minimizeEnergy (
+    const std::vector<RgbdFrame>& frames,
+    const Oversegmentation& segments,
+    const Matrix4& guess,
+    double seconds_gone)
 {
   SolverParameters solver = getSolverParameters();
   if (solver.max_seconds > 0.0) // what is left of align's budget; 0 would be no limit
     solver.max_seconds = std::max (1e-6, solver.max_seconds - seconds_gone);
   detail::GuardedProgress progress (solver.progress);
   solver.progress = progress.function();
-  scene_flow_ =
-      SceneFlowEstimator (energy_, solver)
-          .estimate (
-              frames.reference, frames.current, segments, detail::startPose (guess));
+  shown_ = detail::lastTarget (static_cast<int> (frames.size()), reference_);
+  result_ = MultiframeEstimator (energy_, solver, multiframe_)
+                .estimate (frames, reference_, segments, detail::startPose (guess));
   progress.rethrow();
-  const std::string why = detail::whyUnusable (scene_flow_);
+  const std::string why = detail::whyUnusable (getSceneFlow());
   if (!why.empty())
     throw std::runtime_error (why);
 }
 
 template <typename PointT>
 void
-PiecewiseRigidRegistration<PointT>::warp (PointCloudSource& output) const
+PiecewiseRigidRegistration<PointT>::warp (const SceneFlow& flow,
+                                          const pcl::Indices& indices,
+                                          PointCloudSource& output) const
 {
   std::vector<Eigen::Matrix3f> rotations;
-  for (const SegmentMotion& segment : scene_flow_.segments)
+  for (const SegmentMotion& segment : flow.segments)
     rotations.emplace_back (segment.current_from_reference.rotation().cast<float>());
-  const int width = static_cast<int> (this->input_->width);
+  const int width = static_cast<int> (flow.labels.cols);
   for (std::size_t i = 0; i < output.size(); ++i) {
-    const int index = (*this->indices_)[i];
+    const int index = indices[i];
     const int v = index / width;
     const int u = index % width;
-    const auto& d = scene_flow_.displacement.template at<cv::Vec3f> (v, u);
+    const auto& d = flow.displacement.template at<cv::Vec3f> (v, u);
     output[i].getVector3fMap() += Eigen::Vector3f (d[0], d[1], d[2]);
     if (!pcl::isXYZFinite (output[i])) {
       output[i].getVector3fMap().setConstant (std::numeric_limits<float>::quiet_NaN());
@@ -141,7 +159,7 @@ PiecewiseRigidRegistration<PointT>::warp (PointCloudSource& output) const
       continue;
     }
     if constexpr (pcl::traits::has_normal<PointT>::value) {
-      const int label = scene_flow_.labels.template at<int> (v, u);
+      const int label = flow.labels.template at<int> (v, u);
       auto normal = output[i].getNormalVector3fMap();
       if (label >= 0)
         normal = (rotations[label] * normal).eval();
@@ -151,35 +169,14 @@ PiecewiseRigidRegistration<PointT>::warp (PointCloudSource& output) const
 
 template <typename PointT>
 void
-PiecewiseRigidRegistration<PointT>::findCorrespondences (const PointCloudSource& warped)
-{
-  const cv::Size size = scene_flow_.visibility.size();
-  this->correspondences_->reserve (warped.size());
-  for (std::size_t i = 0; i < warped.size(); ++i) {
-    const int index = (*this->indices_)[i];
-    const auto seen = scene_flow_.visibility.template at<unsigned char> (
-        index / size.width, index % size.width);
-    if (seen != Visibility::Visible)
-      continue;
-    const Eigen::Vector3f point = warped[i].getVector3fMap();
-    const int match = detail::pixelOf (point, scene_flow_.camera, size);
-    if (match < 0 || !pcl::isXYZFinite ((*this->target_)[match]))
-      continue;
-    const float distance =
-        (point - (*this->target_)[match].getVector3fMap()).squaredNorm();
-    this->correspondences_->emplace_back (index, match, distance);
-  }
-}
-
-template <typename PointT>
-void
 PiecewiseRigidRegistration<PointT>::publish()
 {
-  this->final_transformation_ = scene_flow_.dominant_motion.matrix();
+  const SceneFlow& flow = getSceneFlow();
+  this->final_transformation_ = flow.dominant_motion.matrix();
   this->transformation_ = this->final_transformation_;
-  this->nr_iterations_ = scene_flow_.report.iterations;
+  this->nr_iterations_ = flow.report.iterations;
   // As PCL's ICP: reaching the iteration limit is an ordinary end.
-  const StopReason reason = scene_flow_.report.stop_reason;
+  const StopReason reason = flow.report.stop_reason;
   this->converged_ =
       reason == StopReason::Converged || reason == StopReason::IterationLimit;
 }
@@ -189,48 +186,9 @@ void
 PiecewiseRigidRegistration<PointT>::fail (StopReason reason, const char* why)
 {
   printError ("align", why);
-  scene_flow_ = detail::failedFlow (reason, why);
+  shown_ = 0;
+  result_ = detail::failedFlow (reason, why);
   this->converged_ = false;
-}
-
-template <typename PointT>
-void
-PiecewiseRigidRegistration<PointT>::showResult (const PointCloudSource& warped) const
-{
-  if (!this->update_visualizer_)
-    return;
-  // Correspondences are in the output's order, but name the source's points.
-  const auto& pairs = *this->correspondences_;
-  pcl::Indices points;
-  pcl::Indices matches;
-  for (std::size_t i = 0; i < warped.size() && points.size() < pairs.size(); ++i)
-    if (pairs[points.size()].index_query == (*this->indices_)[i]) {
-      matches.push_back (pairs[points.size()].index_match);
-      points.push_back (static_cast<pcl::index_t> (i));
-    }
-  try {
-    this->update_visualizer_ (warped, points, *this->target_, matches);
-  }
-  catch (const std::exception& error) {
-    printError ("align", std::string ("visualization callback: ") + error.what());
-  }
-  catch (...) {
-    printError ("align", "the visualization callback threw");
-  }
-}
-
-template <typename PointT>
-double
-PiecewiseRigidRegistration<PointT>::getFitnessScore (double max_range)
-{
-  double sum = 0.0;
-  std::size_t n = 0;
-  for (const auto& pair : *this->correspondences_)
-    if (pair.distance <= max_range) {
-      sum += pair.distance;
-      ++n;
-    }
-  return n > 0 ? sum / static_cast<double> (n) : std::numeric_limits<double>::max();
 }
 
 } // namespace pcl_msf

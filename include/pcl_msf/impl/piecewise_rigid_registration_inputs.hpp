@@ -40,14 +40,60 @@ void
 PiecewiseRigidRegistration<PointT>::setInputTarget (
     const PointCloudTargetConstPtr& cloud)
 {
-  if (cloud && !cloud->empty()) {
-    Base::setInputTarget (cloud);
+  clearInputTargets();
+  if (cloud && !cloud->empty())
+    addInputTarget (cloud);
+  else
+    printError ("setInputTarget", "the target is empty: give an organized cloud");
+}
+
+template <typename PointT>
+void
+PiecewiseRigidRegistration<PointT>::addInputTarget (
+    const PointCloudTargetConstPtr& cloud)
+{
+  if (!cloud || cloud->empty()) {
+    printError ("addInputTarget", "the target is empty: give an organized cloud");
     return;
   }
-  printError ("setInputTarget", "the target is empty: give an organized cloud");
+  Base::setInputTarget (cloud); // what the base's functions compare with: the last one
+  targets_.push_back (cloud);
+}
+
+template <typename PointT>
+void
+PiecewiseRigidRegistration<PointT>::setInputTargets (
+    const std::vector<PointCloudTargetConstPtr>& clouds)
+{
+  clearInputTargets();
+  for (const PointCloudTargetConstPtr& cloud : clouds)
+    if (!cloud || cloud->empty()) {
+      printError ("setInputTargets", "a target is empty: give organized clouds");
+      return;
+    }
+  for (const PointCloudTargetConstPtr& cloud : clouds)
+    addInputTarget (cloud);
+}
+
+template <typename PointT>
+void
+PiecewiseRigidRegistration<PointT>::clearInputTargets()
+{
+  targets_.clear();
   this->target_ = pcl::make_shared<PointCloudSource>();
   this->target_cloud_updated_ = true;
   this->converged_ = false;
+}
+
+template <typename PointT>
+void
+PiecewiseRigidRegistration<PointT>::setReferenceFrame (int frame)
+{
+  if (frame < 0) {
+    printError ("setReferenceFrame", "the reference frame must be >= 0");
+    return;
+  }
+  reference_ = frame;
 }
 
 template <typename PointT>

@@ -8,6 +8,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/oversegmentation.h>
 #include <pcl_msf/rgbd_frame.h>
 #include <pcl_msf/scene_flow.h>
@@ -16,6 +17,7 @@
 #include <exception>
 #include <functional>
 #include <string>
+#include <vector>
 
 /* The steps of PiecewiseRigidRegistration that don't depend on the point type: compiled
  * once, not part of the public interface. */
@@ -27,17 +29,12 @@ struct CloudImages {
   cv::Mat color;  ///< as from colorImage
 };
 
-struct FramePair {
-  RgbdFrame reference;
-  RgbdFrame current;
-};
-
-/** Frames of two clouds (section 3.3). A camera with fx = 0 is estimated from the
- * source. \throws InvalidInput naming the remedy in terms of PiecewiseRigidRegistration
- */
-FramePair
-makeFrames (CloudImages source,
-            CloudImages target,
+/** Frames of clouds, in the order of time (section 3.3). A camera with fx = 0 is
+ * estimated from the source, which is clouds[reference].
+ * \throws InvalidInput naming the remedy in terms of PiecewiseRigidRegistration */
+std::vector<RgbdFrame>
+makeFrames (std::vector<CloudImages> clouds,
+            int reference,
             const PinholeCamera& camera,
             const FrameParameters& parameters,
             const cv::Mat& source_normals);
@@ -61,8 +58,21 @@ int
 pixelOf (const Eigen::Vector3f& point, const PinholeCamera& camera, cv::Size size);
 
 /** A result that says only why there is none. */
-SceneFlow
+MultiframeSceneFlow
 failedFlow (StopReason reason, const std::string& message);
+
+/** Index of the last frame of a window that is a target. */
+int
+lastTarget (int frames, int reference);
+
+/** The pose between two frames, as in poseBetween, into `pose`.
+ * \return why there is none; empty when there is one */
+std::string
+findPose (const MultiframeSceneFlow& result,
+          int from,
+          int to,
+          int segment,
+          Eigen::Matrix<float, 4, 4>& pose);
 
 /** Passes progress on; an exception of the callback cancels and is kept for rethrow,
  * because it must not fly through the solver. */

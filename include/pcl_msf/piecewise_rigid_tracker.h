@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <pcl_msf/registration_settings.h>
+#include <pcl_msf/scene_flow_tracker.h>
+
+#include <deque>
+
+namespace pcl_msf {
+
+/** \brief SceneFlowTracker on organized clouds: cloud in, scene flow out.
+ *
+ * \code
+ * pcl_msf::PiecewiseRigidTracker<pcl::PointXYZRGBA> tracker;
+ * grabber_callback = [&] (const Cloud::ConstPtr& cloud) {
+ *   if (tracker.addCloud (cloud) && !tracker.getSceneFlow ().flow.empty ())
+ *     use (tracker.getSceneFlow (), tracker.getCameraPose ());
+ * };
+ * \endcode
+ *
+ * Clouds and settings are those of PiecewiseRigidRegistration; a setting changed
+ * between clouds takes effect at the next restart. Segmentations and normals from
+ * outside are not used. Without setCamera the camera is estimated from the first cloud.
+ * Memory does not grow with the number of clouds. Not thread-safe; different trackers
+ * are independent.
+ *
+ * Instantiated as PiecewiseRigidRegistration is.
+ */
+template <typename PointT>
+class PiecewiseRigidTracker : public RegistrationSettings {
+public:
+  using PointCloud = pcl::PointCloud<PointT>;
+  using PointCloudConstPtr = typename PointCloud::ConstPtr;
+
+  /** \brief Window and rules, see TrackerParameters; takes effect at the next restart.
+   * Bad values are refused with a PCL_ERROR. */
+  void
+  setTrackerParameters (const TrackerParameters& parameters);
+  TrackerParameters
+  getTrackerParameters () const
+  {
+    return parameters_;
+  }
+
+  /** \brief Takes the next cloud. \return false, with a PCL_ERROR, when it cannot be
+   * used; then everything is as before. The first one only starts the window. */
+  bool
+  addCloud (const PointCloudConstPtr& cloud);
+
+  /** \brief Forgets all clouds; the next one is the first. */
+  void
+  restart ();
+
+  /** \brief The motion from getReferenceCloud to the newest cloud; empty before the
+   * second one. */
+  const SceneFlow&
+  getSceneFlow () const
+  {
+    return tracker_.sceneFlow();
+  }
+  /** \brief The whole window; frame 0 is its reference. */
+  const MultiframeSceneFlow&
+  getMultiframeSceneFlow () const
+  {
+    return tracker_.result();
+  }
+
+  /** \brief The window's reference, its oldest cloud; null before the first one. */
+  PointCloudConstPtr
+  getReferenceCloud () const
+  {
+    return clouds_.empty() ? nullptr : clouds_.front();
+  }
+
+  /** \brief The reference carried to the newest cloud, organized; NaN where the motion
+   * is unknown. Empty before the second cloud. */
+  PointCloud
+  getWarpedCloud () const;
+
+  /** \brief Camera pose of the newest cloud, `world_from_camera`; the world is the
+   * first cloud's camera. Visual odometry, when the dominant motion is the static
+   * scene's. */
+  Eigen::Matrix<float, 4, 4>
+  getCameraPose () const
+  {
+    return tracker_.cameraPose().matrix();
+  }
+
+  /** \brief How many clouds were given before the reference. */
+  long
+  getReferenceIndex () const
+  {
+    return tracker_.firstFrame();
+  }
+
+private:
+  TrackerParameters parameters_;
+  PinholeCamera used_camera_;
+  SceneFlowTracker tracker_;
+  std::deque<PointCloudConstPtr> clouds_;
+};
+
+} // namespace pcl_msf
+
+#include <pcl_msf/impl/piecewise_rigid_tracker.hpp>
+
+#ifndef PCL_NO_PRECOMPILE
+namespace pcl_msf {
+extern template class PiecewiseRigidTracker<pcl::PointXYZ>;
+extern template class PiecewiseRigidTracker<pcl::PointXYZI>;
+extern template class PiecewiseRigidTracker<pcl::PointXYZRGB>;
+extern template class PiecewiseRigidTracker<pcl::PointXYZRGBA>;
+extern template class PiecewiseRigidTracker<pcl::PointXYZRGBNormal>;
+} // namespace pcl_msf
+#endif

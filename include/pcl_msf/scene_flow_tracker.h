@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <pcl_msf/multiframe_scene_flow.h>
+#include <pcl_msf/oversegmentation.h>
+#include <pcl_msf/parameters.h>
+#include <pcl_msf/rgbd_frame.h>
+
+#include <deque>
+#include <string>
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief How a SceneFlowTracker uses its window. */
+struct TrackerParameters {
+  int window{4};             ///< frames kept and solved jointly, [2, 16]
+  double least_visible{0.5}; ///< share of the reference's points seen in the newest
+                             ///< frame below which the window begins anew, [0, 1]
+  double least_kept{0.6};    ///< share of a new reference's points that carry a segment
+                             ///< below which it is segmented anew, [0, 1]
+  bool merge_segments{false}; ///< segments that moved as one rigid body over a window
+                              ///< become one segment of the next (they never split)
+
+  bool
+  isValid (std::string* why = nullptr) const;
+};
+
+/** \brief Scene flow of an endless sequence: a window slides over it, frame by frame.
+ *
+ * The oldest frame of the window is the reference. Each new frame is solved jointly
+ * with those kept (section 3.1); motions between frames that an earlier window held are
+ * where it starts. When the window is full, the oldest frame leaves: its segments are
+ * carried to the next one, which becomes the reference, and what they don't cover is
+ * segmented. Memory does not grow with the number of frames. Not thread-safe; different
+ * trackers are independent.
+ */
+class SceneFlowTracker {
+public:
+  SceneFlowTracker() = default;
+  /** \throws InvalidInput for parameters outside their ranges */
+  SceneFlowTracker (const TrackerParameters& tracker,
+                    const SegmentationParameters& segmentation,
+                    const EnergyParameters& energy,
+                    const SolverParameters& solver,
+                    const MultiframeParameters& multiframe);
+
+  /** \brief Takes the next frame; it needs normals. With the first one there is no
+   * motion yet. After an exception the tracker is as before.
+   * \throws InvalidInput when the frame does not fit the ones before (size, colour) */
+  void
+  add (const RgbdFrame& frame);
+
+  /** \brief Forgets all frames; the trajectory begins at the identity again. */
+  void
+  reset ();
+
+  /** \brief Frames in the window. */
+  int
+  frames () const
+  {
+    return static_cast<int> (frames_.size());
+  }
+  /** \brief How many frames were given before the window's first one. */
+  long
+  firstFrame () const
+  {
+    return first_;
+  }
+
+  /** \brief The window's result; frame 0 is its reference. No frames before the second
+   * add. */
+  const MultiframeSceneFlow&
+  result () const
+  {
+    return result_;
+  }
+  /** \brief The motion from the window's reference to the newest frame; empty before
+   * the second add. */
+  const SceneFlow&
+  sceneFlow () const;
+
+  /** \brief Segments of the window's reference. */
+  const Oversegmentation&
+  segments () const
+  {
+    return segments_;
+  }
+
+  /** \brief Camera pose of the newest frame if the dominant motion is that of the
+   * static scene: `world_from_camera`, the first frame's camera being the world. */
+  RigidPose
+  cameraPose () const;
+
+private:
+  struct Window {
+    std::deque<RgbdFrame> frames;
+    Oversegmentation segments;
+    std::vector<int> origin; ///< per segment, its number in the former window or -1
+    RigidPose world_from_reference;
+    long first;
+  };
+
+  Window
+  slide () const;
+  Window
+  beginAnew () const;
+  std::vector<int>
+  mergedLabels () const;
+  void
+  solve (Window window);
+  double
+  visibleShare () const;
+  void
+  requireValid () const;
+
+  TrackerParameters tracker_;
+  SegmentationParameters segmentation_;
+  EnergyParameters energy_;
+  SolverParameters solver_;
+  MultiframeParameters multiframe_;
+  std::deque<RgbdFrame> frames_;
+  Oversegmentation segments_;
+  cv::Mat carried_; ///< labels of frame 1, by the last result
+  MultiframeSceneFlow result_;
+  RigidPose world_from_reference_;
+  long first_{0};
+};
+
+} // namespace pcl_msf

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <Eigen/Geometry>
+
+#include "io/json_text.h"
+#include <pcl_msf/io/pose_files.h>
+#include <pcl_msf/io/text_files.h>
+
+#include <cstdio>
+#include <filesystem>
+
+namespace pcl_msf::io {
+
+namespace {
+
+std::string
+listOf (const RigidPose& pose)
+{
+  std::string text = "[";
+  char number[40];
+  for (int i = 0; i < 6; ++i) {
+    std::snprintf (number, sizeof number, "%s%.17g", i ? ", " : "", pose.parameters[i]);
+    text += number;
+  }
+  return text + "]";
+}
+
+std::string
+yamlOf (const MultiframeSceneFlow& result, int first)
+{
+  std::string text = "%YAML:1.0\n---\n";
+  text += "reference: " + std::to_string (first + result.reference) + "\nframes: [";
+  for (std::size_t f = 0; f < result.frames.size(); ++f)
+    text += (f ? ", " : "") + std::to_string (first + static_cast<int> (f));
+  text += "]\ndominant:\n";
+  for (std::size_t f = 0; f < result.frames.size(); ++f)
+    if (static_cast<int> (f) != result.reference)
+      text += "  - to: " + std::to_string (first + static_cast<int> (f)) +
+              "\n    pose: " + listOf (result.frames[f].dominant_motion) + "\n";
+  text += "pairs:\n";
+  for (const PairMotion& pair : result.motions) {
+    text += "  - from: " + std::to_string (first + pair.from) +
+            "\n    to: " + std::to_string (first + pair.to) + "\n    segments:\n";
+    for (const RigidPose& pose : pair.segments)
+      text += "      - " + listOf (pose) + "\n";
+  }
+  return text;
+}
+
+void
+addPose (JsonText& json, const std::string& key, const RigidPose& pose)
+{
+  json.openArray (key);
+  for (const double parameter : pose.parameters)
+    json.number ("", parameter);
+  json.closeArray();
+}
+
+std::string
+jsonOf (const MultiframeSceneFlow& result, int first)
+{
+  JsonText json;
+  json.openObject();
+  json.integer ("reference", first + result.reference);
+  json.openArray ("frames");
+  for (std::size_t f = 0; f < result.frames.size(); ++f)
+    json.integer ("", first + static_cast<int> (f));
+  json.closeArray();
+  json.openArray ("dominant");
+  for (std::size_t f = 0; f < result.frames.size(); ++f) {
+    if (static_cast<int> (f) == result.reference)
+      continue;
+    json.openObject();
+    json.integer ("to", first + static_cast<int> (f));
+    addPose (json, "pose", result.frames[f].dominant_motion);
+    json.closeObject();
+  }
+  json.closeArray();
+  json.openArray ("pairs");
+  for (const PairMotion& pair : result.motions) {
+    json.openObject();
+    json.integer ("from", first + pair.from);
+    json.integer ("to", first + pair.to);
+    json.openArray ("segments");
+    for (const RigidPose& pose : pair.segments)
+      addPose (json, "", pose);
+    json.closeArray();
+    json.closeObject();
+  }
+  json.closeArray();
+  json.closeObject();
+  return json.text();
+}
+
+} // namespace
+
+void
+writePoses (const std::string& path, const MultiframeSceneFlow& result, int first)
+{
+  const bool json = std::filesystem::path (path).extension() == ".json";
+  writeText (path, json ? jsonOf (result, first) : yamlOf (result, first));
+}
+
+void
+writeTrajectory (const std::string& path, const std::vector<TimedPose>& poses)
+{
+  std::string text = "# timestamp tx ty tz qx qy qz qw\n";
+  for (const TimedPose& pose : poses) {
+    Eigen::Quaterniond q (Eigen::Matrix3d (pose.world_from_camera.rotation()));
+    if (q.w() < 0.0)
+      q.coeffs() *= -1.0;
+    const Eigen::Vector3d t = pose.world_from_camera.translation();
+    char line[320];
+    std::snprintf (line,
+                   sizeof line,
+                   "%.6f %.9g %.9g %.9g %.9g %.9g %.9g %.9g\n",
+                   pose.seconds,
+                   t.x(),
+                   t.y(),
+                   t.z(),
+                   q.x(),
+                   q.y(),
+                   q.z(),
+                   q.w());
+    text += line;
+  }
+  writeText (path, text);
+}
+
+} // namespace pcl_msf::io

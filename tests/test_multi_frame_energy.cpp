@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <gtest/gtest.h>
+
+#include "core/multi_frame_problem.h"
+#include "support/autodiff_energy.h"
+#include "support/window_scene.h"
+#include <ceres/crs_matrix.h>
+#include <ceres/rotation.h>
+
+// The multiframe energy: residuals counted as in Eq. 15, and the compressed blocks
+// against one automatically differentiated residual per pixel, body and link.
+
+namespace {
+
+using namespace pcl_msf;
+
+constexpr double kLambda = 3.0;
+
+/** Two slanted planes that move apart. */
+test::AnalyticScene
+twoPlanes ()
+{
+  test::AnalyticScene s;
+  s.camera = {45.0, 44.0, 23.0, 19.5};
+  s.width = 48;
+  s.height = 40;
+  s.quads.push_back ({{-2.0, -2.0, 1.7}, {1.95, 0, 0.5}, {0, 4, 0.6}, 0, 0.4});
+  s.quads.push_back ({{0.0, -2.0, 2.1}, {3, 0, -0.7}, {0, 4, -0.3}, 1, 2.9});
+  s.motions.push_back (
+      test::turnAbout ({-0.7, 0, 2.2}, {0.01, 0.012, -0.02}, {-0.04, 0.01, -0.01}));
+  s.motions.push_back (
+      test::turnAbout ({0.8, 0, 1.9}, {-0.01, 0.02, 0.01}, {0.01, 0.03, 0.012}));
+  return s;
+}
+
+EnergyParameters
+energyParameters ()
+{
+  EnergyParameters energy;
+  energy.regularizer_weight = 0.05;
+  energy.prior_weight = 0.1;
+  return energy;
+}
+
+class Window : public testing::Test {
+protected:
+  void
+  make (int frames, int reference)
+  {
+    scene_ = std::make_unique<test::EnergyWindow> (twoPlanes(), frames, reference);
+    level_ = std::make_unique<MultiFrameLevel> (
+        scene_->window, 0, scene_->labels, parameters_, 0.01);
+    energy_ = std::make_unique<MultiFrameEnergy> (
+        *level_, scene_->window, parameters_, kLambda, scene_->state);
+  }
+
+  const EnergyParameters parameters_ = energyParameters();
+  std::unique_ptr<test::EnergyWindow> scene_;
+  std::unique_ptr<MultiFrameLevel> level_;
+  std::unique_ptr<MultiFrameEnergy> energy_;
+};
+
+TEST_F (Window, CountsResidualsAsEquation15)
+{
+  const int non_adjacent[] = {0, 1, 3}; // K (N - 2) at N = 3, one more per segment at 4
+  for (const int n : {2, 3, 4}) {
+    make (n, 0);
+    const int pairs = n * (n - 1) / 2;
+    int pixels = 0;
+    int normals = 0;
+    for (const FramePairs::Pair& pair : scene_->pairs.all()) {
+      const FrameLevel& from = scene_->frames[pair.from].levels()[0];
+      for (int y = 0; y < from.height(); ++y)
+        for (int x = 0; x < from.width(); ++x) {
+          const bool counts = scene_->labels[pair.from].at<int> (y, x) >= 0;
+          pixels += counts;
+          normals += counts && from.normals.at<cv::Vec3f> (y, x)[2] != 0.0f;
+        }
+    }
+    const ResidualCounts counts = energy_->countResiduals();
+    EXPECT_EQ (counts.brightness, pixels);
+    EXPECT_EQ (counts.icp, normals);
+    EXPECT_EQ (counts.regularizer, pairs * 1);
+    EXPECT_EQ (counts.prior, 1);
+    EXPECT_EQ (counts.concatenation, 2 * non_adjacent[n - 2]);
+    EXPECT_EQ (counts.total(),
+               pixels + normals + (pairs + 1) * 1 + 2 * non_adjacent[n - 2]);
+  }
+}
+
+TEST_F (Window, TrueMotionsCostLeast)
+{
+  make (3, 0);
+  const double best = energy_->evaluate (scene_->state).total();
+  EXPECT_NEAR (energy_->evaluate (scene_->state).concatenation, 0.0, 1e-15);
+  for (std::size_t p = 0; p < scene_->state.poses.size(); ++p) {
+    MultiFrameState off = scene_->state;
+    off.poses[p][1].parameters[3] += 0.01;
+    EXPECT_GT (energy_->evaluate (off).total(), best) << p;
+  }
+}
+
+/** Eq. 14 for one body and a chain of two steps forward. */
+struct TwoSteps {
+  BodyShape shape;
+  double scale;
+
+  template <typename T>
+  bool
+  operator() (const T* own, const T* first, const T* second, T* residual) const
+  {
+    for (int column = 0; column < 4; ++column) {
+      const Eigen::Vector3d v =
+          column == 0 ? shape.center : Eigen::Vector3d (shape.spread.col (column - 1));
+      const T start[3] = {T (v.x()), T (v.y()), T (v.z())};
+      T direct[3], between[3], chained[3];
+      ceres::AngleAxisRotatePoint (own, start, direct);
+      ceres::AngleAxisRotatePoint (first, start, between);
+      for (int i = 0; column == 0 && i < 3; ++i) {
+        direct[i] += own[3 + i];
+        between[i] += first[3 + i];
+      }
+      ceres::AngleAxisRotatePoint (second, between, chained);
+      for (int i = 0; column == 0 && i < 3; ++i)
+        chained[i] += second[3 + i];
+      for (int i = 0; i < 3; ++i)
+        residual[3 * column + i] = scale * (direct[i] - chained[i]);
+    }
+    return true;
+  }
+};
+
+/** Mean and a root of the covariance of a segment's points, computed anew. */
+BodyShape
+shapeOf (const SegmentPixels& points, int segment)
+{
+  BodyShape shape;
+  const int n = points.size (segment);
+  for (int i = points.begin[segment]; i < points.begin[segment + 1]; ++i)
+    shape.center += Eigen::Vector3d (points.x[i], points.y[i], points.z[i]) / n;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (int i = points.begin[segment]; i < points.begin[segment + 1]; ++i) {
+    const Eigen::Vector3d d =
+        Eigen::Vector3d (points.x[i], points.y[i], points.z[i]) - shape.center;
+    covariance += d * d.transpose() / n;
+  }
+  shape.spread = covariance.llt().matrixL();
+  return shape;
+}
+
+struct Evaluation {
+  double cost{0.0};
+  Eigen::VectorXd gradient;
+  Eigen::MatrixXd gauss_newton;
+};
+
+Evaluation
+evaluate (ceres::Problem& problem, MultiFrameState& state)
+{
+  ceres::Problem::EvaluateOptions options;
+  for (auto& poses : state.poses)
+    for (RigidPose& pose : poses)
+      options.parameter_blocks.push_back (pose.parameters.data());
+  options.parameter_blocks.push_back (&state.weights[0]);
+  Evaluation result;
+  std::vector<double> gradient;
+  ceres::CRSMatrix crs;
+  EXPECT_TRUE (problem.Evaluate (options, &result.cost, nullptr, &gradient, &crs));
+  result.gradient = Eigen::Map<Eigen::VectorXd> (gradient.data(), gradient.size());
+  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero (crs.num_rows, crs.num_cols);
+  for (int r = 0; r < crs.num_rows; ++r)
+    for (int i = crs.rows[r]; i < crs.rows[r + 1]; ++i)
+      jacobian (r, crs.cols[i]) = crs.values[i];
+  result.gauss_newton = jacobian.transpose() * jacobian;
+  return result;
+}
+
+TEST_F (Window, AgreesWithOneAutomaticResidualPerPixel)
+{
+  make (3, 0);
+  MultiFrameState& state = scene_->state;
+  const MultiFrameState truth = state;
+  for (std::size_t p = 0; p < state.poses.size(); ++p)
+    for (int b = 0; b < 2; ++b)
+      for (int i = 0; i < 6; ++i)
+        state.poses[p][b].parameters[i] += 0.003 * ((i + p + b) % 3 - 1.2);
+  level_->sweep (state, DataTerm::Pass::Linearize); // finds the correspondences
+  ceres::Problem plain;
+  for (const int p : scene_->window.used) {
+    level_->data (p).setDoublePrecision (true);
+    for (int k = 0; k < 2; ++k)
+      test::addSegment (
+          level_->data (p), k, state.poses[p][k].parameters.data(), plain);
+    SegmentLink link = scene_->window.links[0];
+    const int from = scene_->pairs[p].from;
+    if (from != 0) {
+      const auto& carried = truth.poses[scene_->pairs.fromReference (from)];
+      link.midpoint = 0.5 * (carried[0] * scene_->window.centroids[0] +
+                             carried[1] * scene_->window.centroids[1]);
+    }
+    plain.AddResidualBlock (
+        new ceres::AutoDiffCostFunction<test::LinkResidual, 7, 6, 6, 1> (
+            new test::LinkResidual{link,
+                                   parameters_.pose_difference,
+                                   scene_->scene.camera.fx / link.midpoint.z(),
+                                   std::sqrt (parameters_.regularizer_weight),
+                                   p == 0 ? std::sqrt (3.0 * parameters_.prior_weight)
+                                          : 0.0}),
+        nullptr,
+        state.poses[p][0].parameters.data(),
+        state.poses[p][1].parameters.data(),
+        &state.weights[0]);
+  }
+  const int own = scene_->pairs.between (0, 2);
+  const int first = scene_->pairs.between (0, 1);
+  const int second = scene_->pairs.between (1, 2);
+  for (int b = 0; b < 2; ++b) {
+    const BodyShape shape = shapeOf (level_->pixels (0), b);
+    plain.AddResidualBlock (
+        new ceres::AutoDiffCostFunction<TwoSteps, 12, 6, 6, 6> (new TwoSteps{
+            shape,
+            std::sqrt (kLambda / 2) * scene_->scene.camera.fx / shape.center.z()}),
+        nullptr,
+        state.poses[own][b].parameters.data(),
+        state.poses[first][b].parameters.data(),
+        state.poses[second][b].parameters.data());
+  }
+  MultiFrameProblem compressed (*energy_, state);
+  compressed.keepCorrespondences (true);
+  const Evaluation a = evaluate (compressed.problem(), state);
+  const Evaluation b = evaluate (plain, state);
+  EXPECT_GT (b.cost, 0.0);
+  EXPECT_NEAR (a.cost, b.cost, 1e-10 * b.cost);
+  EXPECT_LT ((a.gradient - b.gradient).norm(), 1e-8 * b.gradient.norm());
+  EXPECT_LT ((a.gauss_newton - b.gauss_newton).norm(), 1e-8 * b.gauss_newton.norm());
+}
+
+TEST_F (Window, OptimumIsNearTheTruthFromBesideIt)
+{
+  for (const int reference : {0, 1}) {
+    make (3, reference);
+    MultiFrameState state = scene_->state;
+    for (std::size_t p = 0; p < state.poses.size(); ++p)
+      for (RigidPose& pose : state.poses[p])
+        pose.parameters[3] += p % 2 ? 0.008 : -0.008;
+    SolverParameters solver;
+    solver.max_iterations = 20;
+    solver.function_tolerance = 1e-8;
+    SolveMonitor monitor (solver);
+    const MultiFrameEnergy::Outcome outcome =
+        energy_->minimize (solver, monitor, state);
+    EXPECT_LT (outcome.final.total(), outcome.initial.total());
+    for (std::size_t p = 0; p < state.poses.size(); ++p)
+      for (int b = 0; b < 2; ++b) {
+        const Eigen::Vector3d at = scene_->window.centroids[b];
+        EXPECT_LT ((state.poses[p][b] * at - scene_->state.poses[p][b] * at).norm(),
+                   0.004) // a tenth of a pixel
+            << "pair " << p << " body " << b;
+      }
+  }
+}
+
+} // namespace

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <gtest/gtest.h>
+
+#include "run_tool.h"
+#include "small_scene.h"
+#include <gmock/gmock.h>
+#include <pcl_msf/io/float_files.h>
+#include <pcl_msf/io/folders.h>
+#include <pcl_msf/io/text_files.h>
+
+#include <sstream>
+
+// pcl_msf_scene_flow with more than two frames, run as a user runs it.
+
+namespace {
+
+using namespace pcl_msf;
+using namespace pcl_msf::testing;
+using ::testing::HasSubstr;
+
+const std::string kTool = PCL_MSF_TOOL;
+
+class SceneFlowWindow : public ::testing::Test {
+protected:
+  void
+  writeRecording (int frames) const
+  {
+    io::makeFolder (folder_ ("case"));
+    for (int frame = 0; frame < frames; ++frame) {
+      const std::string k = std::to_string (frame);
+      io::writeImage (folder_ ("case/color_" + k + ".png"), SmallScene::color (frame));
+      io::writeDepth (
+          folder_ ("case/depth_" + k + ".png"), SmallScene::depth (frame), 5000.0);
+    }
+    io::writeCamera (folder_ ("case/camera.txt"),
+                     {{150.0, 150.0, 79.5, 59.5}, 160, 120, 5000.0});
+  }
+  ToolRun
+  run (const std::string& arguments) const
+  {
+    return runTool (folder_, kTool + arguments);
+  }
+  bool
+  exists (const std::string& name) const
+  {
+    return std::filesystem::exists (folder_ ("out/" + name));
+  }
+  double
+  boxFlow (const std::string& name) const
+  {
+    return io::readFlow (folder_ ("out/" + name)).at<cv::Vec2f> (65, 75)[0];
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F (SceneFlowWindow, WritesEveryFrameOfThree)
+{
+  writeRecording (3);
+  std::string files;
+  for (const char* k : {"0", "1", "2"})
+    files += " --color " + folder_ ("case/color_") + k + ".png --depth " +
+             folder_ ("case/depth_") + k + ".png";
+  const ToolRun done =
+      run (files + " --camera 150,150,79.5,59.5 --depth-scale 5000 --output " +
+           folder_ ("out"));
+  ASSERT_EQ (done.status, 0) << done.err;
+  EXPECT_NEAR (boxFlow ("flow_0_1.flo"), SmallScene::kBoxShift, 0.3);
+  EXPECT_NEAR (boxFlow ("flow_0_2.flo"), 2 * SmallScene::kBoxShift, 0.3);
+  for (const char* name : {"flow_0_2.png",
+                           "scene_flow_0_1.pcd",
+                           "scene_flow_0_2.pcd",
+                           "warped_0_1.pcd",
+                           "warped_0_2.pcd",
+                           "visible_0_2.png",
+                           "overview.png",
+                           "report.json",
+                           "poses.yaml",
+                           "trajectory.txt"})
+    EXPECT_TRUE (exists (name)) << name;
+  cv::FileStorage poses (folder_ ("out/poses.json"),
+                         cv::FileStorage::READ | cv::FileStorage::FORMAT_JSON);
+  ASSERT_TRUE (poses.isOpened());
+  EXPECT_EQ (poses["frames"].size(), 3U);
+  EXPECT_EQ (poses["pairs"].size(), 3U);
+  EXPECT_EQ (poses["pairs"][0]["segments"][0].size(), 6U);
+  cv::FileStorage yaml (folder_ ("out/poses.yaml"), cv::FileStorage::READ);
+  ASSERT_TRUE (yaml.isOpened());
+  EXPECT_EQ (static_cast<int> (yaml["pairs"][1]["to"]),
+             static_cast<int> (poses["pairs"][1]["to"]));
+}
+
+TEST_F (SceneFlowWindow, RunsAFolderInWindowsThatShareAFrame)
+{
+  writeRecording (4);
+  const ToolRun done =
+      run (" " + folder_ ("case") + " --window 3 --rigid --output " + folder_ ("out"));
+  ASSERT_EQ (done.status, 0) << done.err;
+  for (const char* name : {"flow_0_1.flo",
+                           "flow_0_2.flo",
+                           "flow_2_3.flo",
+                           "poses_0.json",
+                           "report_0.json",
+                           "report_2.json"})
+    EXPECT_TRUE (exists (name)) << name;
+  EXPECT_FALSE (exists ("poses_2.json")) << "two frames";
+  std::istringstream lines (readFile (folder_ ("out/trajectory.txt")));
+  int poses = 0;
+  for (std::string line; std::getline (lines, line);)
+    poses += !line.empty() && line[0] != '#';
+  EXPECT_EQ (poses, 4);
+}
+
+TEST_F (SceneFlowWindow, ReferenceInTheMiddle)
+{
+  writeRecording (3);
+  const ToolRun done = run (" " + folder_ ("case") +
+                            " --reference 1 --quiet --output " + folder_ ("out"));
+  ASSERT_EQ (done.status, 0) << done.err;
+  EXPECT_NEAR (boxFlow ("flow_1_0.flo"), -SmallScene::kBoxShift, 0.3);
+  EXPECT_NEAR (boxFlow ("flow_1_2.flo"), SmallScene::kBoxShift, 0.3);
+  EXPECT_TRUE (exists ("labels_1.png"));
+}
+
+TEST_F (SceneFlowWindow, RefusesInOneLine)
+{
+  writeRecording (3);
+  const auto refused = [&] (const std::string& arguments, const std::string& words) {
+    const ToolRun done = run (arguments + " --output " + folder_ ("out"));
+    EXPECT_GT (done.status, 0) << arguments;
+    EXPECT_EQ (done.errorLines(), 1) << done.err;
+    EXPECT_THAT (done.err, HasSubstr (words));
+  };
+  const std::string folder = " " + folder_ ("case");
+  refused (folder + " --window 1", "--window");
+  refused (folder + " --reference 3", "--reference");
+  refused (folder + folder, "not an option");
+  refused (folder + " --depth x", "not together");
+  refused (" " + folder_ ("nowhere"), "nowhere");
+  std::filesystem::remove (folder_ ("case/depth_1.png"));
+  refused (folder, "case");
+}
+
+} // namespace
