@@ -42,6 +42,8 @@ private:
   };
   void
   addSide (const Side& own, const Side& other, int segment, Costs& costs) const;
+  bool
+  inView (const Eigen::Vector3f& moved) const;
   float
   misfit (int point, const Eigen::Vector3f& moved, const Eigen::Vector3f& normal) const;
 
@@ -65,20 +67,25 @@ LinkJudge::LinkJudge (const DataTerm& data, const MotionState& state)
   }
 }
 
-/** Cost of the brightness and the plane distance of a point, truncated; of one that
- * cannot be compared, the limit. */
+/** Does the frame show where a point has gone? */
+bool
+LinkJudge::inView (const Eigen::Vector3f& q) const
+{
+  if (!(q.z() > 1e-3f))
+    return false;
+  const ImagePlace at = projectTo (image_, q);
+  return at.u >= 0.0f && at.v >= 0.0f && at.u < static_cast<float> (image_.width - 1) &&
+         at.v < static_cast<float> (image_.height - 1);
+}
+
+/** Cost of the brightness and the plane distance of a point in view, truncated; the
+ * limit instead of the latter when it is not on the frame's surface. */
 float
 LinkJudge::misfit (int i, const Eigen::Vector3f& q, const Eigen::Vector3f& normal) const
 {
   const SegmentPixels& p = data_.pixels();
   const kernel::Rules& rules = data_.rules();
-  const float limit = 2.0f * rules.truncation;
-  if (!(q.z() > 1e-3f))
-    return limit;
   const ImagePlace at = projectTo (image_, q);
-  if (!(at.u >= 0.0f && at.v >= 0.0f && at.u < static_cast<float> (image_.width - 1) &&
-        at.v < static_cast<float> (image_.height - 1)))
-    return limit;
   const auto cost = [&] (float r) {
     return std::min (kernel::robustCost (r, rules.huber), rules.truncation);
   };
@@ -111,8 +118,11 @@ LinkJudge::addSide (const Side& own, const Side& other, int k, Costs& costs) con
         own.rotation * Eigen::Vector3f (p.nx[i], p.ny[i], p.nz[i]);
     const Eigen::Vector3f moved = own.rotation * point + own.translation;
     const Eigen::Vector3f as_other = other.rotation * point + other.translation;
+    const Eigen::Vector3f mixed = moved + share * (as_other - moved);
+    if (!inView (moved) || !inView (mixed)) // leaving the view is nobody's fault
+      continue;
     costs.own += misfit (i, moved, normal);
-    costs.mixed += misfit (i, moved + share * (as_other - moved), normal);
+    costs.mixed += misfit (i, mixed, normal);
     ++costs.points;
   }
 }
