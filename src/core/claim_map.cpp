@@ -129,7 +129,7 @@ ClaimMap::takenShare (const DataTerm& sample, int segment, int body) const
     if (!landing.onSurface (i))
       continue;
     for (const int other : cells_[cellOf (landing.place())].segment)
-      if (other >= 0 && other != segment && state_.body_of[other] != body &&
+      if (other >= 0 && other != segment &&
           points_[state_.body_of[other]] > points_[body]) {
         ++taken;
         break;

@@ -182,7 +182,8 @@ TwoFrameSolve::refine (int at)
     }
   }
   if (at == 0) {
-    followNeighbors (energy.data(), links_, state_);
+    if (followNeighbors (data, links_, state_) > 0)
+      data.sweep (state_, DataTerm::Pass::Linearize);
     if (solver_.merge_bodies)
       state_ = mergeBodies (energy.data(), links_, mergeRules (level), state_);
     energy.relaxWeights (state_);
