@@ -3,7 +3,6 @@
 #include "core/two_frame_solve.h"
 
 #include "core/body_assignment.h"
-#include "core/body_merging.h"
 #include "core/dense_points.h"
 #include "core/dense_result.h"
 #include "core/hidden_segments.h"
@@ -16,10 +15,9 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kStartLevel = 1;    // poses are compared at half resolution
-constexpr int kCoarsestLevel = 2; // the first joint solve
-constexpr double kRelativeTolerance =
-    0.01; // of the z-test at level 0; doubles per level
+constexpr int kStartLevel = 1;              // poses are compared at half resolution
+constexpr int kCoarsestLevel = 2;           // the first joint solve
+constexpr double kRelativeTolerance = 0.01; // of the z-test; doubles per level
 constexpr double kLeastIntensityNoise = 0.005;
 constexpr double kModelError = 0.15; // pixels that rigid segments leave unexplained
 constexpr double kRelativeDepthNoise = 0.003; // of inverse depth, beside the noise
@@ -30,8 +28,7 @@ constexpr int kStartRounds = 4;      // of proposals
 constexpr int kLaterRounds = 2;
 constexpr int kReassignRounds = 3;
 constexpr int kLastIterations = 4; // after the last merge
-constexpr double kSettled =
-    0.01; // relative change of the last solve that counts as none
+constexpr double kSettled = 0.01;  // relative change of the last solve: none
 
 int
 threadCount (unsigned wanted)
@@ -187,14 +184,13 @@ TwoFrameSolve::refine (int at)
     if (solver_.merge_bodies)
       state_ = mergeBodies (energy.data(), links_, mergeRules (level), state_);
     energy.relaxWeights (state_);
+    finest_ = std::make_unique<LevelData> (std::move (level));
   }
   report_.final_cost = outcome.final;
   const double change = outcome.initial.total() - outcome.final.total();
   report_.converged =
       outcome.iterations > 0 && !outcome.failed &&
       (outcome.converged || std::abs (change) < kSettled * outcome.initial.total());
-  if (at == 0)
-    finest_ = std::make_unique<LevelData> (std::move (level));
 }
 
 MergeRules
