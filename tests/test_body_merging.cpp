@@ -111,16 +111,73 @@ TEST (BodyMerging, NothingMergesWhenAllDiffer)
     EXPECT_EQ (after.poseOf (k).parameters, before.poseOf (k).parameters);
 }
 
-TEST (BodyMerging, OnlyLinkedSegmentsMerge)
+/** The loose plates, of which two move as one. */
+test::AnalyticScene
+loosePlatesButTwo (int a, int b)
 {
-  test::TiledScene scene (test::foldedWall());
+  test::AnalyticScene s = loosePlates();
+  s.motions[b] = s.motions[a];
+  return s;
+}
+
+/** How many bodies are left of the plates, without links or with all of them. */
+MotionState
+mergedPlates (const test::TiledScene& scene, bool linked)
+{
   DataTerm data = scene.data();
   const MotionState before = scene.truth();
   data.sweep (before, Pass::Linearize);
-  const std::vector<SegmentLink> one (1, scene.links()[0]);
-  const MotionState after = mergeBodies (data, one, rules (scene), before);
-  EXPECT_EQ (after.poses.size(), before.poses.size() - 1);
-  EXPECT_EQ (after.body_of[one[0].first], after.body_of[one[0].second]);
+  return mergeBodies (
+      data, linked ? scene.links() : std::vector<SegmentLink>{}, rules (scene), before);
+}
+
+TEST (BodyMerging, LargestBodiesTakeWhatTheyDoNotTouch)
+{
+  const test::TiledScene scene (loosePlatesButTwo (0, 11), 40);
+  const MotionState after = mergedPlates (scene, false);
+  EXPECT_EQ (after.poses.size(), 11u);
+  EXPECT_EQ (after.body_of[0], after.body_of[11]);
+}
+
+TEST (BodyMerging, SmallBodiesMergeOnlyAlongLinks)
+{
+  // All plates are equally large: those with the lowest numbers count as the largest.
+  const test::TiledScene scene (loosePlatesButTwo (10, 11), 40);
+  EXPECT_EQ (mergedPlates (scene, false).poses.size(), 12u);
+  const MotionState linked = mergedPlates (scene, true);
+  EXPECT_EQ (linked.poses.size(), 11u);
+  EXPECT_EQ (linked.body_of[10], linked.body_of[11]);
+}
+
+TEST (BodyMerging, WhatTheLargestTakeMayGrow)
+{
+  // Without links the tiles of each half still find each other, a few at a time.
+  test::TiledScene scene (test::foldedWall());
+  DataTerm data = scene.data();
+  const MotionState before = estimated (scene, scene.pixels());
+  data.sweep (before, Pass::Linearize);
+  const MotionState after = mergeBodies (data, {}, rules (scene), before);
+  EXPECT_EQ (after.poses.size(), 2u);
+  EXPECT_TRUE (test::samePartition (after.body_of, scene.bodyOf()));
+}
+
+TEST (BodyMerging, DifferentMotionsStayApartWithoutLinks)
+{
+  const test::TiledScene scene (loosePlates(), 40);
+  EXPECT_EQ (mergedPlates (scene, false).poses.size(), 12u);
+}
+
+TEST (BodyMerging, BodiesWithoutSegmentsAreForgotten)
+{
+  test::TiledScene scene (test::foldedWall());
+  DataTerm data = scene.data();
+  MotionState before = scene.solved();
+  before.poses.emplace_back();
+  data.sweep (before, Pass::Linearize);
+  const MotionState after = mergeBodies (data, scene.links(), rules (scene), before);
+  ASSERT_EQ (after.poses.size(), 2u);
+  for (int k = 0; k < scene.pixels().segments(); ++k)
+    EXPECT_EQ (after.poseOf (k).parameters, before.poseOf (k).parameters);
 }
 
 TEST (BodyMerging, MergedBodiesStayMerged)

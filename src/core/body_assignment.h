@@ -15,8 +15,10 @@ namespace pcl_msf {
  * A segment tries its neighbours' bodies and the largest ones. It takes the one with
  * the lowest mean truncated cost per residual plus `separation` times the share of its
  * links that lead to other bodies. All decide at once, so that the outcome does not
- * depend on the order. Bodies without segments disappear.
- * \return how many changed */
+ * depend on the order. Bodies without segments disappear. A place that most of a
+ * segment's points would take from a larger body costs up to a conflict more
+ * (ClaimMap). \param dense all points, which claim their places \param data a sample of
+ * them, or all \return how many changed */
 int
 reassignBodies (const DataTerm& dense,
                 const DataTerm& data,

@@ -25,7 +25,7 @@ struct BodyQuadratic {
   double minimum{0.0};
   Vector6 best{Vector6::Zero()};
   int version{0};
-  bool alive{true};
+  bool alive{false}; ///< has segments and was not merged into another
   std::set<int> neighbors;
 
   void
@@ -99,6 +99,7 @@ Merger::Merger (const DataTerm& data,
     body.a += q.information;
     body.h += q.information * body.prior - q.gradient;
     body.points += data.pixels().size (static_cast<int> (k));
+    body.alive = true;
   }
   for (BodyQuadratic& body : bodies_)
     body.solve();
@@ -120,6 +121,7 @@ BodyQuadratic
 Merger::sum (const BodyQuadratic& a, const BodyQuadratic& b)
 {
   BodyQuadratic result;
+  result.alive = true;
   result.a = a.a + b.a;
   result.h = a.h + b.h;
   result.points = a.points + b.points;

@@ -18,9 +18,10 @@ struct MergeRules {
 
 /** \brief Joins bodies that move as one (the paper: updates only merge, never split).
  *
- * Agglomerative, along the links: two bodies merge when the sum of their quadratics,
- * minimized over one common pose, lies no more than allowed above the sum of their own
- * minima - a chi-square test on their pose difference with their information matrices.
+ * Agglomerative, along the links, then also with the few largest bodies, linked or not:
+ * two bodies merge when the sum of their quadratics, minimized over one common pose,
+ * lies no more than allowed above the sum of their own minima - a chi-square test on
+ * their pose difference with their information matrices.
  * \param data linearized at the state
  * \return the state with merged bodies at the common poses */
 MotionState

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/body_noise.h"
 
+#include "core/surface_sample.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -34,22 +36,13 @@ addResiduals (
     if (!(data.active()[i] & kernel::kIcp))
       continue;
     const Eigen::Vector3f q = r * Eigen::Vector3f (p.x[i], p.y[i], p.z[i]) + t;
-    const float u = image.fx * q.x() / q.z() + image.cx;
-    const float v = image.fy * q.y() / q.z() + image.cy;
-    if (!(u >= 0.0f && v >= 0.0f && u < static_cast<float> (image.width - 1) &&
-          v < static_cast<float> (image.height - 1)))
+    const ImagePlace at = projectTo (image, q);
+    if (!(at.u >= 0.0f && at.v >= 0.0f && at.u < static_cast<float> (image.width - 1) &&
+          at.v < static_cast<float> (image.height - 1)))
       continue;
-    const int u0 = static_cast<int> (u);
-    const int v0 = static_cast<int> (v);
-    const float a = u - static_cast<float> (u0);
-    const float b = v - static_cast<float> (v0);
-    const float* top = image.texels + 2 * (v0 * image.width + u0);
-    const float* low = top + 2 * image.width;
-    const float intensity = (1.0f - b) * ((1.0f - a) * top[0] + a * top[2]) +
-                            b * ((1.0f - a) * low[0] + a * low[2]);
     const Eigen::Vector3f n = r * Eigen::Vector3f (p.nx[i], p.ny[i], p.nz[i]);
     if (p.brightness_scale[i] > 0.0f)
-      out.brightness.push_back (std::abs (intensity - p.intensity[i]) *
+      out.brightness.push_back (std::abs (intensityAt (image, at) - p.intensity[i]) *
                                 p.brightness_scale[i]);
     if (p.icp_scale[i] > 0.0f)
       out.icp.push_back (std::abs (n.dot (q) - data.planeOffsets()[i]) *

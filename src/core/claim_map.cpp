@@ -27,41 +27,37 @@ public:
 
   /** Whether point i lands on the surface that the frame shows; sets where. */
   bool
-  onSurface (int i, float& u, float& v)
+  onSurface (int i)
   {
     const Eigen::Vector3f q =
         rotation_ * Eigen::Vector3f (p_.x[i], p_.y[i], p_.z[i]) + translation_;
     if (!(q.z() > 1e-3f))
       return false;
-    u = image_.fx * q.x() / q.z() + image_.cx;
-    v = image_.fy * q.y() / q.z() + image_.cy;
-    if (!(u > -0.5f && v > -0.5f && u < static_cast<float> (image_.width) - 0.5f &&
-          v < static_cast<float> (image_.height) - 0.5f))
+    at_ = projectTo (image_, q);
+    if (!(at_.u > -0.5f && at_.v > -0.5f &&
+          at_.u < static_cast<float> (image_.width) - 0.5f &&
+          at_.v < static_cast<float> (image_.height) - 0.5f))
       return false;
-    texel_ = image_.texels + 2 * (static_cast<int> (v + 0.5f) * image_.width +
-                                  static_cast<int> (u + 0.5f));
-    u_ = u;
-    v_ = v;
-    return texel_[1] > 0.0f &&
-           std::abs (texel_[1] - 1.0f / q.z()) < p_.depth_tolerance[i];
+    const float seen = inverseDepthAt (image_, at_);
+    return seen > 0.0f && std::abs (seen - 1.0f / q.z()) < p_.depth_tolerance[i];
   }
 
   /** Whether the surface there looks like the point. */
   bool
   alike (int i) const
   {
-    const float u = std::clamp (u_, 0.0f, static_cast<float> (image_.width) - 1.001f);
-    const float v = std::clamp (v_, 0.0f, static_cast<float> (image_.height) - 1.001f);
-    const int u0 = static_cast<int> (u);
-    const int v0 = static_cast<int> (v);
-    const float a = u - static_cast<float> (u0);
-    const float b = v - static_cast<float> (v0);
-    const float* t = image_.texels + 2 * (v0 * image_.width + u0);
-    const float* s = t + 2 * image_.width;
-    const float intensity = (1.0f - b) * ((1.0f - a) * t[0] + a * t[2]) +
-                            b * ((1.0f - a) * s[0] + a * s[2]);
-    return std::abs (intensity - p_.intensity[i]) * p_.brightness_scale[i] <
+    const ImagePlace inside{
+        std::clamp (at_.u, 0.0f, static_cast<float> (image_.width) - 1.001f),
+        std::clamp (at_.v, 0.0f, static_cast<float> (image_.height) - 1.001f)};
+    return std::abs (intensityAt (image_, inside) - p_.intensity[i]) *
+               p_.brightness_scale[i] <
            kLooksAlike;
+  }
+
+  const ImagePlace&
+  place () const
+  {
+    return at_;
   }
 
 private:
@@ -69,8 +65,7 @@ private:
   const kernel::Image image_;
   const Eigen::Matrix3f rotation_;
   const Eigen::Vector3f translation_;
-  const float* texel_{nullptr};
-  float u_{0.0f}, v_{0.0f};
+  ImagePlace at_;
 };
 
 } // namespace
@@ -87,19 +82,17 @@ ClaimMap::ClaimMap (const DataTerm& data, const MotionState& state)
   for (int k = 0; k < p.segments(); ++k) {
     Landing landing (data, state.poseOf (k));
     const int step = std::max (1, p.size (k) / kClaimsPerSegment);
-    float u = 0.0f;
-    float v = 0.0f;
     for (int i = p.begin[k]; i < p.begin[k + 1]; i += step)
-      if (landing.onSurface (i, u, v) && landing.alike (i))
-        claim (k, cellOf (u, v));
+      if (landing.onSurface (i) && landing.alike (i))
+        claim (k, cellOf (landing.place()));
   }
 }
 
 int
-ClaimMap::cellOf (float u, float v) const
+ClaimMap::cellOf (const ImagePlace& at) const
 {
-  return (static_cast<int> (v + 0.5f) / kCell) * columns_ +
-         static_cast<int> (u + 0.5f) / kCell;
+  return (static_cast<int> (at.v + 0.5f) / kCell) * columns_ +
+         static_cast<int> (at.u + 0.5f) / kCell;
 }
 
 bool
@@ -132,13 +125,11 @@ ClaimMap::takenShare (const DataTerm& sample, int segment, int body) const
   const SegmentPixels& p = sample.pixels();
   Landing landing (sample, state_.poses[body]);
   int taken = 0;
-  float u = 0.0f;
-  float v = 0.0f;
   for (int i = p.begin[segment]; i < p.begin[segment + 1]; ++i) {
-    if (!landing.onSurface (i, u, v))
+    if (!landing.onSurface (i))
       continue;
-    for (const int other : cells_[cellOf (u, v)].segment)
-      if (other >= 0 && other != segment && state_.body_of[other] != body &&
+    for (const int other : cells_[cellOf (landing.place())].segment)
+      if (other >= 0 && other != segment &&
           points_[state_.body_of[other]] > points_[body]) {
         ++taken;
         break;

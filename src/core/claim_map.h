@@ -4,6 +4,7 @@
 
 #include "core/data_term.h"
 #include "core/motion_state.h"
+#include "core/surface_sample.h"
 
 #include <array>
 #include <vector>
@@ -36,7 +37,7 @@ private:
   bool
   larger (int segment, int other) const;
   int
-  cellOf (float u, float v) const;
+  cellOf (const ImagePlace& at) const;
   void
   claim (int segment, int cell);
 

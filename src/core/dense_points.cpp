@@ -10,7 +10,7 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr double kLeastStrength = 0.2; // w^2 of connections that take part
+constexpr double kLeastStrength = 0.2; // mixing of connections that take part
 constexpr double kReach = 0.5;         // of a segment's side: standard deviation
 
 /** One motion that takes part in moving a segment's points. */
@@ -19,7 +19,7 @@ struct Influence {
   Eigen::Vector3f translation;
   float u, v;          ///< centre in the reference image, pixels
   float inverse_reach; ///< 1 / (2 sigma^2), 1 / pixels^2
-  float strength;      ///< w^2 of the connection
+  float strength;      ///< mixing of the connection
 };
 
 Influence

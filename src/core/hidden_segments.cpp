@@ -49,9 +49,10 @@ followNeighbors (const DataTerm& data,
   }
   int changes = 0;
   for (std::size_t k = 0; k < leaders.size(); ++k) {
-    std::stable_sort (leaders[k].begin(),
-                      leaders[k].end(),
-                      [] (const Leader& a, const Leader& b) { return a.lever < b.lever; });
+    std::stable_sort (
+        leaders[k].begin(), leaders[k].end(), [] (const Leader& a, const Leader& b) {
+          return a.lever < b.lever;
+        });
     double lowest = std::numeric_limits<double>::infinity();
     int best = state.body_of[k];
     for (const Leader& leader : leaders[k]) {

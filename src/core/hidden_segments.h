@@ -9,9 +9,9 @@
 
 namespace pcl_msf {
 
-/** \brief Segments of which next to nothing is seen in the current frame take the motion
- * of the linked segment that is seen and that their points object to least, the nearest
- * one when they object to none: what is left of their own motion says nothing.
+/** \brief Segments of which next to nothing is seen in the current frame take the
+ * motion of the linked segment that is seen and that their points object to least, the
+ * nearest one when they object to none: what is left of their own motion says nothing.
  * \param data linearized at the state
  * \return how many changed */
 int

@@ -4,6 +4,9 @@
 
 #include <Eigen/Core>
 
+#include "core/data_kernel_impl.h"
+#include "core/surface_sample.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -39,6 +42,8 @@ private:
   };
   void
   addSide (const Side& own, const Side& other, int segment, Costs& costs) const;
+  bool
+  inView (const Eigen::Vector3f& moved) const;
   float
   misfit (int point, const Eigen::Vector3f& moved, const Eigen::Vector3f& normal) const;
 
@@ -62,35 +67,31 @@ LinkJudge::LinkJudge (const DataTerm& data, const MotionState& state)
   }
 }
 
-/** Cost of the brightness and the plane distance of a point, truncated; of one that
- * cannot be compared, the limit. */
+/** Does the frame show where a point has gone? */
+bool
+LinkJudge::inView (const Eigen::Vector3f& q) const
+{
+  if (!(q.z() > 1e-3f))
+    return false;
+  const ImagePlace at = projectTo (image_, q);
+  return at.u >= 0.0f && at.v >= 0.0f && at.u < static_cast<float> (image_.width - 1) &&
+         at.v < static_cast<float> (image_.height - 1);
+}
+
+/** Cost of the brightness and the plane distance of a point in view, truncated; the
+ * limit instead of the latter when it is not on the frame's surface. */
 float
 LinkJudge::misfit (int i, const Eigen::Vector3f& q, const Eigen::Vector3f& normal) const
 {
   const SegmentPixels& p = data_.pixels();
   const kernel::Rules& rules = data_.rules();
-  const float limit = 2.0f * rules.truncation;
-  const float u = image_.fx * q.x() / q.z() + image_.cx;
-  const float v = image_.fy * q.y() / q.z() + image_.cy;
-  if (!(q.z() > 1e-3f && u >= 0.0f && v >= 0.0f &&
-        u < static_cast<float> (image_.width - 1) &&
-        v < static_cast<float> (image_.height - 1)))
-    return limit;
-  const int u0 = static_cast<int> (u);
-  const int v0 = static_cast<int> (v);
-  const float a = u - static_cast<float> (u0);
-  const float b = v - static_cast<float> (v0);
-  const float* t = image_.texels + 2 * (v0 * image_.width + u0);
-  const float* s = t + 2 * image_.width;
-  const float intensity =
-      (1.0f - b) * ((1.0f - a) * t[0] + a * t[2]) + b * ((1.0f - a) * s[0] + a * s[2]);
-  const float w = (b < 0.5f ? t : s)[a < 0.5f ? 1 : 3];
+  const ImagePlace at = projectTo (image_, q);
   const auto cost = [&] (float r) {
-    const float magnitude = std::abs (r);
-    const float inner = std::min (magnitude, rules.huber);
-    return std::min (inner * (magnitude - 0.5f * inner), rules.truncation);
+    return std::min (kernel::robustCost (r, rules.huber), rules.truncation);
   };
-  const float brightness = cost ((intensity - p.intensity[i]) * p.brightness_scale[i]);
+  const float brightness =
+      cost ((intensityAt (image_, at) - p.intensity[i]) * p.brightness_scale[i]);
+  const float w = inverseDepthAt (image_, at);
   if (!(w > 0.0f) || std::abs (w - 1.0f / q.z()) > p.depth_tolerance[i])
     return brightness + rules.truncation;
   const float plane = normal.dot (q) * (1.0f - 1.0f / (q.z() * w));
@@ -117,8 +118,11 @@ LinkJudge::addSide (const Side& own, const Side& other, int k, Costs& costs) con
         own.rotation * Eigen::Vector3f (p.nx[i], p.ny[i], p.nz[i]);
     const Eigen::Vector3f moved = own.rotation * point + own.translation;
     const Eigen::Vector3f as_other = other.rotation * point + other.translation;
+    const Eigen::Vector3f mixed = moved + share * (as_other - moved);
+    if (!inView (moved) || !inView (mixed)) // leaving the view is nobody's fault
+      continue;
     costs.own += misfit (i, moved, normal);
-    costs.mixed += misfit (i, moved + share * (as_other - moved), normal);
+    costs.mixed += misfit (i, mixed, normal);
     ++costs.points;
   }
 }

@@ -7,7 +7,6 @@
 #include "core/dense_points.h"
 #include "core/dense_result.h"
 #include "core/hidden_segments.h"
-#include "core/pose_proposals.h"
 #include <omp.h>
 
 #include <algorithm>
@@ -16,23 +15,18 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kStartLevel = 1;    // poses are compared at half resolution
-constexpr int kCoarsestLevel = 2; // the first joint solve
-constexpr double kRelativeTolerance =
-    0.01; // of the z-test at level 0; doubles per level
+constexpr int kCoarsestLevel = 2;           // the first joint solve
+constexpr double kRelativeTolerance = 0.01; // of the z-test; doubles per level
 constexpr double kLeastIntensityNoise = 0.005;
 constexpr double kModelError = 0.15; // pixels that rigid segments leave unexplained
 constexpr double kRelativeDepthNoise = 0.003; // of inverse depth, beside the noise
 constexpr double kMergeAllowance = 10.0;      // per merge, in squared deviations
 constexpr double kMergePerPoint = 0.08;       // per point of the smaller body
 constexpr double kSeparation = 0.25; // mean cost that a body of one's own must save
-constexpr int kStartRounds = 4;      // of proposals
 constexpr int kLaterRounds = 2;
-constexpr double kUnexplained = 0.4; // mean cost per residual after the first start
 constexpr int kReassignRounds = 3;
 constexpr int kLastIterations = 4; // after the last merge
-constexpr double kSettled =
-    0.01; // relative change of the last solve that counts as none
+constexpr double kSettled = 0.01;  // relative change of the last solve: none
 
 int
 threadCount (unsigned wanted)
@@ -109,73 +103,6 @@ TwoFrameSolve::levelData (int level, bool with_pixels) const
                     threads_);
 }
 
-/** Poses worth descending from: the guess, rest, and what optical flow suggests; for
- * segments that these leave unexplained, what the flow of the depth images suggests. */
-void
-TwoFrameSolve::start (const RigidPose& guess)
-{
-  const int at = std::min (kStartLevel, levels_ - 1);
-  LevelData level = levelData (at, false);
-  links_ = linkNearestCentroids (level.probes.centroid, energy_.neighbors);
-  state_ = MotionState::fromSegments (std::vector<RigidPose> (segments_.size(), guess),
-                                      links_.size());
-  common_poses_ = {guess, RigidPose{}};
-  std::vector<char> wanted (segments_.size(), 1);
-  const auto lift = [&] (const cv::Mat& flow) {
-    return hypothesesFromFlow (
-        flow, current_, level.probes, wanted, at, noise_, guess, threads_);
-  };
-  FlowHypotheses flow;
-  if (solver_.flow_proposals && reference_.hasIntensity()) {
-    flow = lift (estimateOpticalFlow (reference_, current_));
-    change_ = fitBrightnessChange (flow.pairs_reference, flow.pairs_current);
-    for (float& intensity : level.probes.intensity)
-      intensity = change_.gain * intensity + change_.offset;
-  }
-  if (!given_start_.empty()) {
-    state_ = MotionState::fromSegments (given_start_, links_.size());
-    common_poses_.clear();
-    return;
-  }
-  propose (level, flow, kStartRounds);
-  wanted = unexplained (level);
-  if (solver_.flow_proposals &&
-      std::find (wanted.begin(), wanted.end(), 1) != wanted.end())
-    propose (level, lift (estimateDepthFlow (reference_, current_)), kStartRounds);
-}
-
-/** Lets segments jump to the common poses, their flow's and their neighbours'. */
-void
-TwoFrameSolve::propose (const LevelData& level, const FlowHypotheses& flow, int rounds)
-{
-  DataTerm data (
-      level.probes, level.texture, makeRules (energy_, level.probes), threads_);
-  JointEnergy energy (data, links_, energy_, level.focal_length);
-  PoseProposals proposals (energy, links_, threads_);
-  common_poses_.insert (common_poses_.end(), flow.bodies.begin(), flow.bodies.end());
-  for (const RigidPose& pose : common_poses_)
-    proposals.addCommon (pose);
-  for (std::size_t k = 0; k < flow.fitted.size(); ++k)
-    if (flow.fitted[k])
-      proposals.addOwn (static_cast<int> (k), flow.of_segment[k]);
-  proposals.run (rounds, state_);
-}
-
-/** Which segments do not fit the current frame at their present poses. */
-std::vector<char>
-TwoFrameSolve::unexplained (const LevelData& level) const
-{
-  const DataTerm data (
-      level.probes, level.texture, makeRules (energy_, level.probes), threads_);
-  std::vector<char> result (segments_.size(), 0);
-  for (int k = 0; k < segments_.size(); ++k) {
-    const DataTerm::Probe probe = data.probe (k, state_.poseOf (k));
-    result[k] = probe.cost + probe.hidden * probe.weight * data.unsupportedCost() >
-                kUnexplained * probe.weight;
-  }
-  return result;
-}
-
 /** Minimizes Eq. 5 on a level; at the two finest, segments that move as one merge. */
 void
 TwoFrameSolve::refine (int at)
@@ -205,18 +132,18 @@ TwoFrameSolve::refine (int at)
     }
   }
   if (at == 0) {
-    followNeighbors (energy.data(), links_, state_);
+    if (followNeighbors (data, links_, state_) > 0)
+      data.sweep (state_, DataTerm::Pass::Linearize);
     if (solver_.merge_bodies)
       state_ = mergeBodies (energy.data(), links_, mergeRules (level), state_);
     energy.relaxWeights (state_);
+    finest_ = std::make_unique<LevelData> (std::move (level));
   }
   report_.final_cost = outcome.final;
   const double change = outcome.initial.total() - outcome.final.total();
   report_.converged =
       outcome.iterations > 0 && !outcome.failed &&
       (outcome.converged || std::abs (change) < kSettled * outcome.initial.total());
-  if (at == 0)
-    finest_ = std::make_unique<LevelData> (std::move (level));
 }
 
 MergeRules

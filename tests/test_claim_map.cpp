@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <gtest/gtest.h>
+
+#include "core/claim_map.h"
+#include "support/covered_wall.h"
+
+namespace {
+
+using namespace pcl_msf;
+
+// Places are told apart to three pixels: tiles beside reach over the border.
+constexpr double kSeam = 0.25;
+
+class Claims : public testing::Test {
+protected:
+  double
+  taken (const MotionState& state, int segment, int body)
+  {
+    const DataTerm data = scene_.data();
+    return ClaimMap (data, state).takenShare (data, segment, body);
+  }
+
+  /** The covered tile in a body of its own, which lands on a tile of the wall. */
+  MotionState
+  onTheFreeTile ()
+  {
+    MotionState state = scene_.solved();
+    test::setApart (state, test::kCovered, test::tilesAway (0, 1));
+    return state;
+  }
+
+  test::TiledScene scene_{test::coveredWall()};
+};
+
+TEST_F (Claims, PlaceOfALargerBodyIsTaken)
+{
+  EXPECT_GT (taken (onTheFreeTile(), test::kCovered, 2), 0.9);
+}
+
+TEST_F (Claims, LargerBodyIsHeardAmongMany)
+{
+  // Three small bodies claim the place before the wall does.
+  test::wipeTexture (scene_.pixels(), 0, 47);
+  MotionState state = onTheFreeTile();
+  for (const int row : {0, 1})
+    test::setApart (state, test::kFree - 8 * (3 - row), test::tilesAway (0, 3 - row));
+  EXPECT_GT (taken (state, test::kCovered, 2), 0.9);
+}
+
+TEST_F (Claims, OnlyThePointsOnThatPlaceCount)
+{
+  // Half of the tile stays on its own place, half lands on the tile below.
+  MotionState state = scene_.solved();
+  test::setApart (state, test::kFree, test::tilesAway (0, 0.5));
+  const double share = taken (state, test::kFree, 2);
+  EXPECT_GE (share, 0.5);
+  EXPECT_LE (share, 0.5 + kSeam);
+}
+
+TEST_F (Claims, OwnBodyLeavesRoom)
+{
+  const MotionState state = onTheFreeTile();
+  EXPECT_EQ (taken (scene_.solved(), test::kFree, 0), 0.0);
+  EXPECT_EQ (taken (state, test::kWallTile, 0), 0.0);
+  EXPECT_LT (taken (scene_.solved(), test::kPlateTile, 1), kSeam);
+}
+
+TEST_F (Claims, SmallerBodyIsNotBelieved)
+{
+  test::wipeTexture (scene_.pixels(), test::kCovered, test::kCovered);
+  EXPECT_EQ (taken (onTheFreeTile(), test::kFree, 0), 0.0);
+}
+
+TEST_F (Claims, NeitherOfTwoEqualBodiesIsBelieved)
+{
+  MotionState state = onTheFreeTile();
+  test::setApart (state, test::kFree, RigidPose{});
+  EXPECT_LT (taken (state, test::kCovered, 2), kSeam);
+  EXPECT_LT (taken (state, test::kFree, 3), kSeam);
+}
+
+TEST_F (Claims, WhatLooksDifferentClaimsNothing)
+{
+  SegmentPixels& pixels = scene_.pixels();
+  for (int i = pixels.begin[test::kFree]; i < pixels.begin[test::kFree + 1]; ++i)
+    pixels.intensity[i] += 0.9f;
+  EXPECT_LT (taken (onTheFreeTile(), test::kCovered, 2), kSeam);
+}
+
+TEST_F (Claims, WhatFloatsBeforeOrBehindTheSurfaceClaimsNothing)
+{
+  test::wipeTexture (scene_.pixels(), 0, 47);
+  for (const double off : {-0.3, 0.3}) {
+    MotionState state = onTheFreeTile();
+    state.poses[0] = test::turnAbout ({0, 0, 0}, {0, 0, 0}, {0, 0, off});
+    EXPECT_EQ (taken (state, test::kCovered, 2), 0.0) << off;
+    EXPECT_EQ (taken (scene_.solved(), test::kFree, 0), 0.0);
+  }
+}
+
+TEST_F (Claims, OutsideTheImageIsNoPlace)
+{
+  MotionState state = scene_.solved();
+  for (const RigidPose& pose : {test::tilesAway (20, 0),
+                                test::tilesAway (0, -20),
+                                test::turnAbout ({0, 0, 0}, {0, 0, 0}, {0, 0, -5})}) {
+    test::setApart (state, test::kCovered, pose);
+    EXPECT_EQ (taken (state, test::kCovered, state.body_of[test::kCovered]), 0.0);
+  }
+}
+
+} // namespace
