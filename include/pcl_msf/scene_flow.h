@@ -93,8 +93,8 @@ struct Report {
   std::string message; ///< for a person; empty when all went well
   bool converged{false};
   int iterations{0};       ///< over all levels
-  EnergyCost initial_cost; ///< at the finest level, at the start poses
-  EnergyCost final_cost;   ///< at the finest level, at the result
+  EnergyCost initial_cost; ///< where the last solve at the finest level began
+  EnergyCost final_cost;   ///< where it ended
   double frame_seconds{0.0};
   double segment_seconds{0.0};
   double start_seconds{0.0}; ///< optical flow and proposals

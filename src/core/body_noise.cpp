@@ -33,19 +33,22 @@ addResiduals (
   const Eigen::Matrix3f r = pose.rotation().cast<float>();
   const Eigen::Vector3f t = pose.translation().cast<float>();
   for (int i = p.begin[segment]; i < p.begin[segment + 1]; i += step) {
-    if (!(data.active()[i] & kernel::kIcp))
-      continue;
     const Eigen::Vector3f q = r * Eigen::Vector3f (p.x[i], p.y[i], p.z[i]) + t;
+    if (!(q.z() > 1e-3f))
+      continue;
     const ImagePlace at = projectTo (image, q);
     if (!(at.u >= 0.0f && at.v >= 0.0f && at.u < static_cast<float> (image.width - 1) &&
           at.v < static_cast<float> (image.height - 1)))
+      continue;
+    const float seen = inverseDepthAt (image, at);
+    if (!(seen > 0.0f) || std::abs (seen - 1.0f / q.z()) > p.depth_tolerance[i])
       continue;
     const Eigen::Vector3f n = r * Eigen::Vector3f (p.nx[i], p.ny[i], p.nz[i]);
     if (p.brightness_scale[i] > 0.0f)
       out.brightness.push_back (std::abs (intensityAt (image, at) - p.intensity[i]) *
                                 p.brightness_scale[i]);
     if (p.icp_scale[i] > 0.0f)
-      out.icp.push_back (std::abs (n.dot (q) - data.planeOffsets()[i]) *
+      out.icp.push_back (std::abs (n.dot (q) * (1.0f - 1.0f / (q.z() * seen))) *
                          p.icp_scale[i]);
   }
 }

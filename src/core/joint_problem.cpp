@@ -64,7 +64,9 @@ JointProblem::PrepareForEvaluation (bool evaluate_jacobians, bool)
   using Pass = DataTerm::Pass;
   DataTerm& data = energy_.data_;
   const Pass jacobian_pass = keep_ ? Pass::LinearizeKept : Pass::Linearize;
-  data.sweep (state_, evaluate_jacobians ? jacobian_pass : Pass::Cost);
+  if (!linearized_ || !evaluate_jacobians)
+    data.sweep (state_, evaluate_jacobians ? jacobian_pass : Pass::Cost);
+  linearized_ = false;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     Matrix6 information = Matrix6::Zero();
     Vector6 gradient = Vector6::Zero();

@@ -31,6 +31,14 @@ public:
     return *problem_;
   }
 
+  /** \brief The data term is linearized at the present state: the first evaluation need
+   * not sweep again. */
+  void
+  startsLinearized ()
+  {
+    linearized_ = true;
+  }
+
   /** \brief Keep the correspondences of the last linearization (tests). */
   void
   keepCorrespondences (bool keep)
@@ -50,6 +58,7 @@ private:
   std::vector<CompressedBlock> blocks_;       ///< per body
   std::unique_ptr<ceres::Problem> problem_;
   bool keep_{false};
+  bool linearized_{false};
 };
 
 } // namespace pcl_msf

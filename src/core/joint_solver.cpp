@@ -97,6 +97,7 @@ JointEnergy::minimize (const SolverParameters& solver,
   relaxWeights (state);
   outcome.initial = evaluate (state);
   JointProblem problem (*this, state);
+  problem.startsLinearized();
   MonitorCallback callback (monitor);
   ceres::Solver::Options options = ceresOptions (solver, monitor);
   monitor.noteTerms (outcome.initial);

@@ -117,17 +117,11 @@ TwoFrameSolve::refine (int at)
   const double begin = at == 0 ? 0.5 : 0.5 - 0.15 * at;
   monitor_.enter (
       "solve", at, begin, begin + (at == 0 ? 0.3 : 0.15), solver_.max_iterations);
-  MotionState first = state_;
   JointEnergy::Outcome outcome = energy.minimize (solver_, monitor_, state_);
-  if (at == 0)
-    report_.initial_cost = outcome.initial;
   if (solver_.merge_bodies && at < kCoarsestLevel) {
     mergeAndReassign (energy, level);
     if (at == 0) {
-      data.sweep (state_, DataTerm::Pass::Linearize);
       sharpenRigidBodies (data, state_, threads_, level.pixels);
-      energy.relaxWeights (first);
-      report_.initial_cost = energy.evaluate (first); // in the new unit
       SolverParameters last = solver_;
       last.max_iterations = std::min (solver_.max_iterations, kLastIterations);
       monitor_.enter ("bodies", at, 0.8, 1.0, last.max_iterations);
@@ -142,6 +136,7 @@ TwoFrameSolve::refine (int at)
     energy.relaxWeights (state_);
     finest_ = std::make_unique<LevelData> (std::move (level));
   }
+  report_.initial_cost = outcome.initial;
   report_.final_cost = outcome.final;
   const double change = outcome.initial.total() - outcome.final.total();
   report_.converged =
