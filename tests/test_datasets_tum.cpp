@@ -70,6 +70,21 @@ TEST (Tum, KnowsTheCameraByTheName)
                    5.0F);
 }
 
+TEST (Tum, RefusesScaledImagesWithoutTheirCamera)
+{
+  const TemporaryFolder folder;
+  const std::string top = folder ("rgbd_dataset_freiburg1_small");
+  putText (top + "/rgb.txt", "1.0 rgb/1.0.png\n");
+  putText (top + "/depth.txt", "1.0 depth/1.0.png\n");
+  putImage (top + "/rgb/1.0.png", cv::Mat (240, 320, CV_8UC3, 1.0));
+  putImage (top + "/depth/1.0.png", cv::Mat (240, 320, CV_16UC1, 5000.0));
+  expectIoError ([&] { openDataset ("tum", top).front()->frame (0); },
+                 "depth/1.0.png",
+                 "width, height");
+  putText (top + "/camera.txt", "260 260 160 128 320 240 5000\n");
+  EXPECT_EQ (openDataset ("tum", top).front()->frame (0).camera.fx, 260.0);
+}
+
 TEST (Tum, AssociatesTheClosestFirstAndEachOnce)
 {
   const std::vector<io::TimedFile> color{{1.00, "a"}, {1.03, "b"}, {1.06, "c"}};

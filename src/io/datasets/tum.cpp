@@ -47,7 +47,7 @@ openOne (const std::string& name,
                    std::to_string (options.max_time_difference) +
                    " s of one in rgb.txt; allow a larger difference");
   const CameraChoice choice = chooseCamera (
-      folder, options, {cameraNamed (lastName (folder)), kDepthScale, {}});
+      folder, options, {cameraNamed (lastName (folder)), kDepthScale, {640, 480}});
   std::vector<FrameFiles> files;
   for (const auto& [c, d] : pairs)
     files.push_back ({inside (folder, color[c].file),
