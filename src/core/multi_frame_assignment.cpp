@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/claim_map.h"
 #include "core/multi_frame_bodies.h"
 #include "core/segment_graph.h"
 
@@ -11,7 +12,8 @@ namespace pcl_msf {
 namespace {
 
 constexpr double kMostlyHidden = 0.5;
-constexpr int kLargest = 6; // bodies that every segment tries
+constexpr int kLargest = 6;          // bodies that every segment tries
+constexpr double kBorderShare = 0.5; // of points that may land on a neighbour's place
 
 class TrajectoryAssignment {
 public:
@@ -29,6 +31,10 @@ private:
   largestBodies () const;
   DataTerm::Probe
   probe (int segment, int body) const;
+  void
+  lookAround ();
+  double
+  takenShare (int segment, int body) const;
   double
   score (int segment, int body, int background) const;
   int
@@ -41,6 +47,8 @@ private:
   std::vector<int> asked_; ///< pairs from the reference
   std::vector<std::vector<int>> neighbors_;
   std::vector<char> seen_; ///< per segment: mostly visible on its present trajectory
+  std::vector<MotionState> motions_; ///< per asked pair
+  std::vector<ClaimMap> claims_;     ///< likewise, of motions_
 };
 
 TrajectoryAssignment::TrajectoryAssignment (const MultiFrameLevel& level,
@@ -89,6 +97,34 @@ TrajectoryAssignment::probe (int segment, int body) const
   return sum;
 }
 
+/** Who is seen, and who claims which place of each frame. */
+void
+TrajectoryAssignment::lookAround()
+{
+  seen_.assign (scene_.segments, 0);
+#pragma omp parallel for schedule(dynamic, 8) num_threads(scene_.threads)
+  for (int k = 0; k < scene_.segments; ++k)
+    seen_[k] = probe (k, state_.body_of[k]).hidden < kMostlyHidden;
+  claims_.clear();
+  motions_.clear();
+  for (const int p : asked_)
+    motions_.push_back (state_.ofPair (p));
+  for (std::size_t i = 0; i < asked_.size(); ++i)
+    claims_.emplace_back (level_.data (asked_[i]), motions_[i]);
+}
+
+/** Mean over the asked pairs of what ClaimMap calls taken, beyond borders. */
+double
+TrajectoryAssignment::takenShare (int segment, int body) const
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < asked_.size(); ++i)
+    sum += std::max (0.0,
+                     claims_[i].takenShare (level_.probes (asked_[i]), segment, body) -
+                         kBorderShare);
+  return sum / ((1.0 - kBorderShare) * static_cast<double> (asked_.size()));
+}
+
 double
 TrajectoryAssignment::score (int segment, int body, int background) const
 {
@@ -106,7 +142,9 @@ TrajectoryAssignment::score (int segment, int body, int background) const
   const double unsupported = level_.probes (asked_.front()).unsupportedCost();
   return p.cost / std::max (p.weight, 1e-12) +
          (supported ? 0.0 : p.hidden * unsupported) + rules_.separation * share +
-         (body == background ? 0.0 : rules_.background);
+         (body == background ? 0.0 : rules_.background) +
+         takenShare (segment, body) *
+             level_.probes (asked_.front()).rules().conflict_cost;
 }
 
 int
@@ -134,10 +172,7 @@ int
 TrajectoryAssignment::round()
 {
   const std::vector<int> largest = largestBodies();
-  seen_.assign (scene_.segments, 0);
-#pragma omp parallel for schedule(dynamic, 8) num_threads(scene_.threads)
-  for (int k = 0; k < scene_.segments; ++k)
-    seen_[k] = probe (k, state_.body_of[k]).hidden < kMostlyHidden;
+  lookAround();
   std::vector<int> next (state_.body_of.size());
   int changes = 0;
 #pragma omp parallel for schedule(dynamic, 8) num_threads(scene_.threads) reduction(+ : changes)
