@@ -2,12 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include <pcl_msf/errors.h>
-#include <pcl_msf/synthetic/synthetic_sequence.h>
+#include "support/easy_sequences.h"
 
 #include <cmath>
 #include <cstring>
-#include <map>
 #include <ostream>
 
 namespace pcl_msf {
@@ -23,33 +21,7 @@ PrintTo (Scene scene, std::ostream* stream)
 namespace {
 
 using namespace pcl_msf;
-
-constexpr int width = 192, height = 144;
-
-SequenceOptions
-smallOptions (Scene scene, MotionSize motion = MotionSize::Easy)
-{
-  SequenceOptions options;
-  options.scene = scene;
-  options.motion = motion;
-  options.width = width;
-  options.height = height;
-  options.seed = 3;
-  return options;
-}
-
-/** Two frames of a scene, rendered once for all tests. */
-const SyntheticSequence&
-easySequence (Scene scene)
-{
-  static std::map<Scene, SyntheticSequence> sequences;
-  SyntheticSequence& sequence = sequences[scene];
-  if (sequence.frames.empty()) {
-    SequenceOptions options = smallOptions (scene);
-    sequence = synthesize (options);
-  }
-  return sequence;
-}
+using namespace pcl_msf::test;
 
 Eigen::Vector3d
 pointAt (const SyntheticSequence& sequence, int u, int v)
@@ -82,12 +54,6 @@ bilinear (const cv::Mat& image, double x, double y, Get&& get)
              ((1 - a) * get (image.at<T> (v, u)) + a * get (image.at<T> (v, u + 1))) +
          b * ((1 - a) * get (image.at<T> (v + 1, u)) +
               a * get (image.at<T> (v + 1, u + 1)));
-}
-
-double
-gray (const cv::Vec3b& bgr)
-{
-  return (bgr[0] + bgr[1] + bgr[2]) / 3.0;
 }
 
 /** Mean absolute grey difference between frame 0 and frame 1 along a flow. */
@@ -240,13 +206,6 @@ TEST_P (EveryScene, DepthOfTheNextFrameIsThatOfTheMovedPoint)
   EXPECT_LT (bad, 0.02 * count);
 }
 
-bool
-sameBits (const cv::Mat& a, const cv::Mat& b)
-{
-  return a.size() == b.size() && a.type() == b.type() &&
-         std::memcmp (a.data, b.data, a.total() * a.elemSize()) == 0;
-}
-
 TEST_P (EveryScene, ThreadsDoNotChangeTheResult)
 {
   SequenceOptions options = smallOptions (GetParam());
@@ -265,98 +224,6 @@ TEST_P (EveryScene, ThreadsDoNotChangeTheResult)
   }
   options.seed = 4;
   EXPECT_FALSE (sameBits (one.frames[0].color, synthesize (options).frames[0].color));
-}
-
-TEST (Synthetic, VisibilityKnowsWhatIsHidden)
-{
-  // A point is hidden exactly when the next frame's surface at its place is nearer.
-  const SyntheticSequence sequence =
-      synthesize (smallOptions (Scene::MultiBody, MotionSize::Large));
-  const GroundTruth& truth = sequence.truth[1];
-  int hidden = 0, explained = 0;
-  for (int v = 0; v < height; ++v)
-    for (int u = 0; u < width; ++u) {
-      const cv::Vec2f flow = truth.flow.at<cv::Vec2f> (v, u);
-      const int x = cvRound (u + flow[0]), y = cvRound (v + flow[1]);
-      if (x < 1 || y < 1 || x > width - 2 || y > height - 2 ||
-          truth.visible.at<unsigned char> (v, u) == 255)
-        continue;
-      const double z = sequence.frames[0].depth.at<float> (v, u) +
-                       truth.scene_flow.at<cv::Vec3f> (v, u)[2];
-      double nearest = 1e9;
-      for (int dy = -1; dy <= 1; ++dy)
-        for (int dx = -1; dx <= 1; ++dx)
-          nearest = std::min<double> (
-              nearest, sequence.frames[1].depth.at<float> (y + dy, x + dx));
-      ++hidden;
-      explained += nearest < z - 1e-3;
-    }
-  EXPECT_GT (hidden, 200);
-  EXPECT_GT (explained, 0.98 * hidden);
-}
-
-TEST (Synthetic, SuccessiveTruthJoinsNeighbours)
-{
-  SequenceOptions options = smallOptions (Scene::Articulated);
-  options.frames = 3;
-  options.successive_truth = true;
-  const SyntheticSequence sequence = synthesize (options);
-  ASSERT_EQ (sequence.successive_truth.size(), 2u);
-  EXPECT_TRUE (sameBits (sequence.successive_truth[0].flow, sequence.truth[1].flow));
-  EXPECT_FALSE (sameBits (sequence.successive_truth[1].flow, sequence.truth[1].flow));
-  EXPECT_LT (cv::norm (sequence.truth[0].scene_flow, cv::NORM_INF), 1e-9);
-}
-
-TEST (Synthetic, MotionPixelsOverridesTheMotionSize)
-{
-  SequenceOptions options = smallOptions (Scene::MultiBody);
-  options.motion_pixels = 2.0;
-  const SyntheticSequence slow = synthesize (options);
-  options.motion_pixels = 8.0;
-  const SyntheticSequence fast = synthesize (options);
-  EXPECT_NEAR (fast.frame0_from_framek[1].translation().norm() /
-                   slow.frame0_from_framek[1].translation().norm(),
-               4.0,
-               0.5);
-}
-
-TEST (Synthetic, MotionBlurSmearsColourButNotDepth)
-{
-  SequenceOptions options = smallOptions (Scene::StaticRoom, MotionSize::Large);
-  const SyntheticSequence sharp = synthesize (options);
-  options.motion_blur = true;
-  const SyntheticSequence blurred = synthesize (options);
-  EXPECT_TRUE (sameBits (sharp.frames[1].depth, blurred.frames[1].depth));
-  const auto detail = [] (const cv::Mat& color) {
-    double sum = 0.0;
-    for (int v = 0; v < color.rows; ++v)
-      for (int u = 1; u < color.cols; ++u)
-        sum += std::abs (gray (color.at<cv::Vec3b> (v, u)) -
-                         gray (color.at<cv::Vec3b> (v, u - 1)));
-    return sum;
-  };
-  EXPECT_LT (detail (blurred.frames[1].color), 0.9 * detail (sharp.frames[1].color));
-}
-
-TEST (Synthetic, RefusesOptionsThatCannotBe)
-{
-  SequenceOptions good;
-  EXPECT_TRUE (good.isValid());
-  std::vector<SequenceOptions> bad (6, good);
-  bad[0].width = 0;
-  bad[1].frames = 0;
-  bad[2].supersampling = 0;
-  bad[3].motion_pixels = std::nan ("");
-  bad[4].camera = {-5.0, 5.0, 0.0, 0.0};
-  bad[5].height = 100000;
-  for (const SequenceOptions& options : bad) {
-    std::string why;
-    EXPECT_FALSE (options.isValid (&why));
-    EXPECT_FALSE (why.empty());
-    EXPECT_THROW (synthesize (options), InvalidInput);
-  }
-  EXPECT_THROW (sceneFromName ("nowhere"), InvalidInput);
-  EXPECT_EQ (sceneFromName ("hand"), Scene::Hand);
 }
 
 } // namespace

@@ -7,8 +7,8 @@
 #endif
 
 #include "baselines.h"
+#include "common/stop_watch.h"
 #include "lifting.h"
-#include "stop_watch.h"
 
 namespace pcl_msf::tool {
 

@@ -5,8 +5,8 @@
 #include <pcl/point_types.h>
 
 #include "baselines.h"
+#include "common/stop_watch.h"
 #include "lifting.h"
-#include "stop_watch.h"
 
 #include <cmath>
 

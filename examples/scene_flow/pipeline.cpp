@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "pipeline.h"
 
+#include "common/stop_watch.h"
 #include "interruption.h"
 #include "progress_line.h"
 #include <pcl_msf/multiframe_estimator.h>
@@ -9,29 +10,11 @@
 #include <pcl_msf/rgbd_frame.h>
 
 #include <algorithm>
-#include <chrono>
 #include <future>
 
 namespace pcl_msf::tool {
 
 namespace {
-
-/** Seconds since it was made, or since the last lap. */
-class StopWatch {
-public:
-  double
-  lap ()
-  {
-    const auto now = Clock::now();
-    const std::chrono::duration<double> seconds = now - last_;
-    last_ = now;
-    return seconds.count();
-  }
-
-private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point last_{Clock::now()};
-};
 
 Oversegmentation
 segment (const Options& options, const Inputs& inputs, const RgbdFrame& frame)
