@@ -14,11 +14,7 @@ namespace {
 using namespace pcl_msf;
 using Pass = DataTerm::Pass;
 
-MergeRules
-rules (const test::TiledScene& scene)
-{
-  return {scene.residualScale(), 10.0, 0.05};
-}
+constexpr MergeRules kRules{10.0, 0.05};
 
 /** Every segment a little off its motion, as estimates are: a tenth of a pixel. */
 MotionState
@@ -45,7 +41,8 @@ TEST (BodyMerging, TwoMotionsMakeTwoBodies)
   DataTerm data = scene.data();
   const MotionState before = estimated (scene, scene.pixels());
   data.sweep (before, Pass::Linearize);
-  const MotionState after = mergeBodies (data, scene.links(), rules (scene), before);
+  const MotionState after =
+      mergeBodies (data, scene.residualScale(), scene.links(), kRules, before);
   ASSERT_EQ (after.poses.size(), 2u);
   EXPECT_TRUE (test::samePartition (after.body_of, scene.bodyOf()));
   // The common poses are the true motions to a few hundredths of a pixel.
@@ -72,7 +69,8 @@ TEST (BodyMerging, SegmentWithoutTextureJoinsItsNeighbours)
   for (int i = 0; i < 3; ++i)
     blind.parameters[3 + i] += slip[i];
   data.sweep (before, Pass::Linearize);
-  const MotionState after = mergeBodies (data, scene.links(), rules (scene), before);
+  const MotionState after =
+      mergeBodies (data, scene.residualScale(), scene.links(), kRules, before);
   EXPECT_EQ (after.poses.size(), 2u);
   EXPECT_TRUE (test::samePartition (after.body_of, scene.bodyOf()));
   const Eigen::Vector3d& c = pixels.centroid[kBlind];
@@ -104,7 +102,8 @@ TEST (BodyMerging, NothingMergesWhenAllDiffer)
   DataTerm data = scene.data();
   const MotionState before = scene.truth();
   data.sweep (before, Pass::Linearize);
-  const MotionState after = mergeBodies (data, scene.links(), rules (scene), before);
+  const MotionState after =
+      mergeBodies (data, scene.residualScale(), scene.links(), kRules, before);
   EXPECT_EQ (after.poses.size(), 12u);
   EXPECT_EQ (after.body_of, before.body_of);
   for (int k = 0; k < 12; ++k)
@@ -127,8 +126,11 @@ mergedPlates (const test::TiledScene& scene, bool linked)
   DataTerm data = scene.data();
   const MotionState before = scene.truth();
   data.sweep (before, Pass::Linearize);
-  return mergeBodies (
-      data, linked ? scene.links() : std::vector<SegmentLink>{}, rules (scene), before);
+  return mergeBodies (data,
+                      scene.residualScale(),
+                      linked ? scene.links() : std::vector<SegmentLink>{},
+                      kRules,
+                      before);
 }
 
 TEST (BodyMerging, LargestBodiesTakeWhatTheyDoNotTouch)
@@ -156,7 +158,8 @@ TEST (BodyMerging, WhatTheLargestTakeMayGrow)
   DataTerm data = scene.data();
   const MotionState before = estimated (scene, scene.pixels());
   data.sweep (before, Pass::Linearize);
-  const MotionState after = mergeBodies (data, {}, rules (scene), before);
+  const MotionState after =
+      mergeBodies (data, scene.residualScale(), {}, kRules, before);
   EXPECT_EQ (after.poses.size(), 2u);
   EXPECT_TRUE (test::samePartition (after.body_of, scene.bodyOf()));
 }
@@ -174,7 +177,8 @@ TEST (BodyMerging, BodiesWithoutSegmentsAreForgotten)
   MotionState before = scene.solved();
   before.poses.emplace_back();
   data.sweep (before, Pass::Linearize);
-  const MotionState after = mergeBodies (data, scene.links(), rules (scene), before);
+  const MotionState after =
+      mergeBodies (data, scene.residualScale(), scene.links(), kRules, before);
   ASSERT_EQ (after.poses.size(), 2u);
   for (int k = 0; k < scene.pixels().segments(); ++k)
     EXPECT_EQ (after.poseOf (k).parameters, before.poseOf (k).parameters);
@@ -186,7 +190,8 @@ TEST (BodyMerging, MergedBodiesStayMerged)
   DataTerm data = scene.data();
   const MotionState before = scene.solved();
   data.sweep (before, Pass::Linearize);
-  const MotionState after = mergeBodies (data, scene.links(), rules (scene), before);
+  const MotionState after =
+      mergeBodies (data, scene.residualScale(), scene.links(), kRules, before);
   EXPECT_EQ (after.poses.size(), 2u);
   EXPECT_TRUE (test::samePartition (after.body_of, before.body_of));
 }

@@ -2,9 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/multi_frame_solve.h"
 
+#include "core/body_assignment.h"
+#include "core/body_merging.h"
 #include "core/depth_fusion.h"
 #include "core/exposure.h"
-#include "core/multi_frame_bodies.h"
 #include "core/segment_carrier.h"
 #include <omp.h>
 
@@ -228,14 +229,34 @@ MultiFrameSolve::round (const Round& round, double begin, double end)
     mergeAndReassign (*level_);
 }
 
+/** The used pairs at a level, as the steps that form bodies see them. */
+std::vector<PairTerms>
+MultiFrameSolve::pairTerms (const MultiFrameLevel& level) const
+{
+  std::vector<PairTerms> terms;
+  for (const int p : scene_.used) {
+    const DataTerm& data = level.data (p);
+    const bool own = pairs_[p].from == pairs_.reference();
+    terms.push_back ({p,
+                      &data,
+                      own ? &level.probes (p) : nullptr,
+                      residualScale (energy_, data.pixels())});
+  }
+  return terms;
+}
+
 void
 MultiFrameSolve::mergeAndReassign (MultiFrameLevel& level)
 {
-  const MergeRules rules{1.0, kMergeAllowance, kMergePerPoint};
-  mergeTrajectories (level, scene_, energy_, rules, state_);
-  const AssignmentRules assignment{
-      kSeparation, multiframe_.static_background ? kBackground : 0.0, kReassignRounds};
-  reassignTrajectories (level, scene_, assignment, state_);
+  const std::vector<PairTerms> terms = pairTerms (level);
+  mergeBodies (
+      terms, pairs_.frames(), scene_.links, {kMergeAllowance, kMergePerPoint}, state_);
+  const double background = multiframe_.static_background ? kBackground : 0.0;
+  reassignBodies (terms,
+                  scene_.links,
+                  {kSeparation, background, kReassignRounds},
+                  scene_.threads,
+                  state_);
 }
 
 } // namespace pcl_msf

@@ -4,6 +4,7 @@
 
 #include "core/multi_frame_energy.h"
 #include "core/multi_frame_start.h"
+#include "core/pair_terms.h"
 #include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/oversegmentation.h>
 
@@ -52,6 +53,8 @@ private:
   fuseDepth ();
   void
   round (const Round& round, double begin, double end);
+  std::vector<PairTerms>
+  pairTerms (const MultiFrameLevel& level) const;
   void
   mergeAndReassign (MultiFrameLevel& level);
   MultiframeSceneFlow

@@ -132,7 +132,7 @@ TwoFrameSolve::refine (int at)
     if (followNeighbors (data, links_, state_) > 0)
       data.sweep (state_, DataTerm::Pass::Linearize);
     if (solver_.merge_bodies)
-      state_ = mergeBodies (energy.data(), links_, mergeRules (level), state_);
+      merge (level, data);
     energy.relaxWeights (state_);
     finest_ = std::make_unique<LevelData> (std::move (level));
   }
@@ -144,20 +144,24 @@ TwoFrameSolve::refine (int at)
       (outcome.converged || std::abs (change) < kSettled * outcome.initial.total());
 }
 
-MergeRules
-TwoFrameSolve::mergeRules (const LevelData& level) const
+void
+TwoFrameSolve::merge (const LevelData& level, const DataTerm& data)
 {
-  return {residualScale (energy_, level.pixels), kMergeAllowance, kMergePerPoint};
+  state_ = mergeBodies (data,
+                        residualScale (energy_, level.pixels),
+                        links_,
+                        {kMergeAllowance, kMergePerPoint},
+                        state_);
 }
 
 void
 TwoFrameSolve::mergeAndReassign (JointEnergy& energy, LevelData& level)
 {
-  state_ = mergeBodies (energy.data(), links_, mergeRules (level), state_);
+  merge (level, energy.data());
   const DataTerm sample (
       level.probes, level.texture, makeRules (energy_, level.probes), threads_);
-  reassignBodies (
-      energy.data(), sample, links_, kSeparation, kReassignRounds, threads_, state_);
+  const AssignmentRules rules{kSeparation, 0.0, kReassignRounds};
+  reassignBodies (energy.data(), sample, links_, rules, threads_, state_);
 }
 
 void
