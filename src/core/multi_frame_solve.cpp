@@ -212,6 +212,8 @@ MultiFrameSolve::round (const Round& round, double begin, double end)
     fuseDepth();
   level_ = std::make_unique<MultiFrameLevel> (
       scene_, at, labels, energy_, kRelativeTolerance * (1 << at));
+  if (!round.merge)
+    level_->sharpenRigidBodies (state_);
   MultiFrameEnergy energy (
       *level_, scene_, energy_, multiframe_.concatenation_weight, state_);
   monitor_.enter ("window", at, begin, end, round.iterations);
