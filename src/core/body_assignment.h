@@ -11,9 +11,10 @@ namespace pcl_msf {
 
 /** \brief How segments choose among bodies. */
 struct AssignmentRules {
-  double separation; ///< mean cost per residual that leaving all neighbours costs
-  double background; ///< mean cost that leaving the largest body costs; 0 = no prior
-  int rounds;
+  double separation{0.25}; ///< mean cost per residual that leaving all neighbours costs
+  double background{0.0};  ///< mean cost that leaving the largest body costs; 0 = no
+                           ///< prior
+  int rounds{3};
 };
 
 /** \brief Lets segments change to another body's motion where their points do not

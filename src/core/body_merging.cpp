@@ -5,7 +5,6 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <queue>
 #include <set>
@@ -130,7 +129,7 @@ private:
   writeBack ();
 
   const std::vector<PairTerms>& terms_;
-  const double strictness_; ///< of the allowances
+  const int motions_; ///< from frame to frame
   const MergeRules rules_;
   MultiFrameState& state_;
   std::vector<BodyQuadratics> bodies_;
@@ -144,7 +143,7 @@ Merger::Merger (const std::vector<PairTerms>& terms,
                 const MergeRules& rules,
                 MultiFrameState& state)
 : terms_ (terms)
-, strictness_ (std::sqrt (frames - 1.0))
+, motions_ (frames - 1)
 , rules_ (rules)
 , state_ (state)
 , bodies_ (state.bodies())
@@ -204,7 +203,7 @@ Merger::consider (int a, int b)
   const BodyQuadratics& second = bodies_[b];
   const double costs = increase (first, second);
   const double allowed =
-      strictness_ *
+      motions_ *
       (rules_.allowance + rules_.per_point * std::min (first.points, second.points));
   if (costs < allowed)
     queue_.push ({costs, a, b, first.version, second.version});

@@ -11,8 +11,8 @@ namespace pcl_msf {
 
 /** \brief How unequal two bodies' motions may be and still count as one. */
 struct MergeRules {
-  double allowance; ///< increase allowed per merge, in halved squared deviations
-  double per_point; ///< further increase per point of the smaller body
+  double allowance{10.0}; ///< increase allowed per merge, in halved squared deviations
+  double per_point{0.08}; ///< further increase per point of the smaller body
 };
 
 /** \brief Joins bodies that move as one (the paper: updates only merge, never split).
@@ -21,7 +21,7 @@ struct MergeRules {
  * two bodies merge when the sum of their quadratics, minimized over one common pose per
  * pair of frames, lies no more than allowed above the sum of their own minima - a
  * chi-square test on their pose differences with their information matrices. Allowances
- * grow with the root of the number of motions, one less than the frames.
+ * grow with the number of motions, one less than the frames.
  * \param terms of the pairs of frames that take part; their poses in the merged state
  * are the common ones, other pairs keep those of one of the bodies
  * \param frames of the window, two or more */

@@ -36,9 +36,10 @@ public:
 
 private:
   struct Round {
+    enum Place { First, Middle, Last };
     int level;
     int iterations;
-    bool merge; ///< afterwards
+    Place place;
   };
 
   SolverParameters
@@ -55,6 +56,8 @@ private:
   round (const Round& round, double begin, double end);
   std::vector<PairTerms>
   pairTerms (const MultiFrameLevel& level) const;
+  void
+  mergeAtStart (MultiFrameLevel& level);
   void
   mergeAndReassign (MultiFrameLevel& level);
   MultiframeSceneFlow

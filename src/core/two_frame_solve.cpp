@@ -20,11 +20,7 @@ constexpr double kRelativeTolerance = 0.01; // of the z-test; doubles per level
 constexpr double kLeastIntensityNoise = 0.005;
 constexpr double kModelError = 0.15; // pixels that rigid segments leave unexplained
 constexpr double kRelativeDepthNoise = 0.003; // of inverse depth, beside the noise
-constexpr double kMergeAllowance = 10.0;      // per merge, in squared deviations
-constexpr double kMergePerPoint = 0.08;       // per point of the smaller body
-constexpr double kSeparation = 0.25; // mean cost that a body of one's own must save
 constexpr int kLaterRounds = 2;
-constexpr int kReassignRounds = 3;
 constexpr int kLastIterations = 4; // after the last merge
 constexpr double kSettled = 0.01;  // relative change of the last solve: none
 
@@ -147,11 +143,8 @@ TwoFrameSolve::refine (int at)
 void
 TwoFrameSolve::merge (const LevelData& level, const DataTerm& data)
 {
-  state_ = mergeBodies (data,
-                        residualScale (energy_, level.pixels),
-                        links_,
-                        {kMergeAllowance, kMergePerPoint},
-                        state_);
+  state_ =
+      mergeBodies (data, residualScale (energy_, level.pixels), links_, {}, state_);
 }
 
 void
@@ -160,8 +153,7 @@ TwoFrameSolve::mergeAndReassign (JointEnergy& energy, LevelData& level)
   merge (level, energy.data());
   const DataTerm sample (
       level.probes, level.texture, makeRules (energy_, level.probes), threads_);
-  const AssignmentRules rules{kSeparation, 0.0, kReassignRounds};
-  reassignBodies (energy.data(), sample, links_, rules, threads_, state_);
+  reassignBodies (energy.data(), sample, links_, {}, threads_, state_);
 }
 
 void
