@@ -59,6 +59,7 @@ colorAt (double share, int color_map)
 struct Layout {
   int step{16};         ///< pixels
   double enlarged{1.0}; ///< times the displacement
+  double shortest{0.0}; ///< motion below this share of the distance has no path
 };
 
 /** How far the points go in the sensor's picture, pixels; NaN = unknown. Motion along
@@ -92,7 +93,8 @@ layoutOf (const SceneFlow& flow,
   const double width = flow.points.cols;
   const double pixels = percentile (
       whereVisible (pixelLengths (flow, displacement), flow.visibility), kTypicalShare);
-  Layout layout{options.arrow_step, options.arrow_scale};
+  Layout layout{
+      options.arrow_step, options.arrow_scale, kLeastShare * pixels / flow.camera.fx};
   if (layout.step == 0)
     layout.step = std::max (
         1,
@@ -186,15 +188,17 @@ trajectoryScene (const ResultClouds& result,
     const auto& p = points.at<cv::Vec3f> (row, col);
     if (!isFinite (p))
       return;
+    double reach = 0.0; // as far as it goes from its start, metres
     Polyline line{{p}, {colorAt (0.0, kTimeMap)}};
     for (int k = 0; k < frames; ++k) {
       const auto& d = displacements[k].at<cv::Vec3f> (row, col);
       if (!isFinite (d))
         break;
+      reach = std::max (reach, cv::norm (d));
       line.points.push_back (p + static_cast<float> (layout.enlarged) * d);
       line.colors.push_back (colorAt ((k + 1.0) / frames, kTimeMap));
     }
-    if (line.points.size() > 1)
+    if (line.points.size() > 1 && reach > layout.shortest * p[2])
       scene.lines.push_back (line);
   });
   scene.scale = ColorScale{0.0, static_cast<double> (frames), "frame", kTimeMap};

@@ -152,8 +152,8 @@ private:
     const bool has_marks = !scene.arrows.empty() || !scene.lines.empty();
     for (const PointSet& set : scene.points)
       add (pointActor (set, factor * pointSize (set, view, style), has_marks));
-    add (lineActor (darkened (scene.lines), kCasing * line));
-    add (lineActor (scene.lines, line));
+    add (lineActor (darkened (scene.lines), kCasing * line, true));
+    add (lineActor (scene.lines, line, false));
     add (arrowActor (scene.arrows));
     const cv::Vec3b& b = style.background;
     renderer_->SetBackground (b[2] / 255.0, b[1] / 255.0, b[0] / 255.0);

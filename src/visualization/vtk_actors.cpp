@@ -22,6 +22,7 @@ namespace pcl_msf::visualization {
 namespace {
 
 constexpr double kOffset = 4000.0; ///< of depth, in 2^-16 of its range
+constexpr double kLineOffset = 200.0;
 
 /** \param vertex of each point, -1 = not drawn */
 vtkSmartPointer<vtkCellArray>
@@ -82,7 +83,7 @@ pointActor (const PointSet& set, double pixels, bool behind)
 }
 
 vtkSmartPointer<vtkActor>
-lineActor (const std::vector<Polyline>& lines, double pixels)
+lineActor (const std::vector<Polyline>& lines, double pixels, bool behind)
 {
   Vertices vertices;
   auto cells = vtkSmartPointer<vtkCellArray>::New();
@@ -102,6 +103,10 @@ lineActor (const std::vector<Polyline>& lines, double pixels)
   data->SetLines (cells);
   auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
   mapper->SetInputData (data);
+  if (behind) { // as above, by less
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyLineOffsetParameters (0.0, kLineOffset);
+  }
   auto actor = actorOf (mapper, false);
   actor->GetProperty()->SetLineWidth (static_cast<float> (pixels));
   return actor;
