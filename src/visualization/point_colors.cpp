@@ -22,7 +22,7 @@ constexpr double kWhiteShare = 0.45; ///< light texture goes so far towards whit
 
 constexpr double kDarkest = 50.0;   ///< of a shape without colours, seen edge-on
 constexpr double kLightest = 215.0; ///< seen from the front
-constexpr float kPaleLabel = 0.3F;  ///< share of white in a label's colour
+constexpr float kDarkLabel = 95.0F; ///< least light of a label, of 255
 constexpr double kTypicalShare = 0.98;
 
 /** Vector between the neighbours of a pixel, or from it to the one that there is; zero
@@ -84,7 +84,9 @@ labelColor (int label)
   const auto count = static_cast<int> (pcl::GlasbeyLUT::size());
   const pcl::RGB& color = pcl::GlasbeyLUT::at (label % count);
   const cv::Vec3f bgr (color.b, color.g, color.r);
-  return (1.0F - kPaleLabel) * bgr + kPaleLabel * cv::Vec3f::all (255.0F);
+  const float light = 0.114F * bgr[0] + 0.587F * bgr[1] + 0.299F * bgr[2];
+  const float white = std::max (0.0F, (kDarkLabel - light) / (255.0F - light));
+  return (1.0F - white) * bgr + white * cv::Vec3f::all (255.0F);
 }
 
 ColorScale
