@@ -5,6 +5,7 @@
 #include "core/body_shapes.h"
 #include "core/ceres_options.h"
 #include "core/multi_frame_problem.h"
+#include "core/terms_callback.h"
 
 #include <algorithm>
 #include <cmath>
@@ -150,6 +151,12 @@ EnergyCost
 MultiFrameEnergy::evaluate (const MultiFrameState& state)
 {
   level_.sweep (state, DataTerm::Pass::Linearize);
+  return presentCost (state);
+}
+
+EnergyCost
+MultiFrameEnergy::presentCost (const MultiFrameState& state) const
+{
   EnergyCost cost;
   for (const int p : scene_.used)
     for (int k = 0; k < scene_.segments; ++k) {
@@ -194,7 +201,10 @@ MultiFrameEnergy::minimize (const SolverParameters& solver,
   MultiFrameProblem problem (*this, state);
   MonitorCallback callback (monitor);
   ceres::Solver::Options options = ceresOptions (solver, monitor);
-  options.callbacks.push_back (&callback);
+  monitor.noteTerms (outcome.initial);
+  TermsCallback terms (monitor, *this, state);
+  options.update_state_every_iteration = true; // for the terms
+  options.callbacks = {&terms, &callback};
   ceres::Solver::Summary summary;
   if (solver.max_iterations > 0 && !monitor.stopped())
     ceres::Solve (options, &problem.problem(), &summary);

@@ -56,6 +56,10 @@ public:
   EnergyCost
   evaluate (const MultiFrameState& state);
 
+  /** \brief As evaluate, with the data terms of the last sweep. */
+  EnergyCost
+  presentCost (const MultiFrameState& state) const;
+
   /** \brief Sets every weight to its optimum for the poses of all pairs. */
   void
   relaxWeights (MultiFrameState& state) const;
