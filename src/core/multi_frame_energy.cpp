@@ -3,9 +3,7 @@
 #include "core/multi_frame_energy.h"
 
 #include "core/body_shapes.h"
-#include "core/ceres_options.h"
 #include "core/multi_frame_problem.h"
-#include "core/terms_callback.h"
 
 #include <algorithm>
 #include <cmath>
@@ -190,30 +188,12 @@ MultiFrameEnergy::countResiduals() const
   return counts;
 }
 
-MultiFrameEnergy::Outcome
+SolveOutcome
 MultiFrameEnergy::minimize (const SolverParameters& solver,
                             SolveMonitor& monitor,
                             MultiFrameState& state)
 {
-  Outcome outcome;
-  relaxWeights (state);
-  outcome.initial = evaluate (state);
-  MultiFrameProblem problem (*this, state);
-  MonitorCallback callback (monitor);
-  ceres::Solver::Options options = ceresOptions (solver, monitor);
-  monitor.noteTerms (outcome.initial);
-  TermsCallback terms (monitor, *this, state);
-  options.update_state_every_iteration = true; // for the terms
-  options.callbacks = {&terms, &callback};
-  ceres::Solver::Summary summary;
-  if (solver.max_iterations > 0 && !monitor.stopped())
-    ceres::Solve (options, &problem.problem(), &summary);
-  relaxWeights (state);
-  outcome.final = evaluate (state);
-  outcome.iterations = static_cast<int> (summary.iterations.size());
-  outcome.converged = summary.termination_type == ceres::CONVERGENCE;
-  outcome.failed = summary.termination_type == ceres::FAILURE && outcome.iterations > 0;
-  return outcome;
+  return minimizeEnergy<MultiFrameProblem> (*this, state, solver, monitor);
 }
 
 } // namespace pcl_msf

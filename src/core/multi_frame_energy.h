@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/concatenation_cost.h"
+#include "core/energy_solve.h"
 #include "core/multi_frame_level.h"
 #include "core/pose_coupling.h"
-#include "core/solve_monitor.h"
 #include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/parameters.h>
 #include <pcl_msf/scene_flow.h>
@@ -39,15 +39,7 @@ public:
                     double concatenation_weight,
                     const MultiFrameState& state);
 
-  struct Outcome {
-    EnergyCost initial;
-    EnergyCost final;
-    int iterations{0};
-    bool converged{false};
-    bool failed{false};
-  };
-
-  Outcome
+  SolveOutcome
   minimize (const SolverParameters& solver,
             SolveMonitor& monitor,
             MultiFrameState& state);

@@ -22,8 +22,6 @@ constexpr double kRelativeTolerance =
 constexpr double kBackground = 0.3;  // mean cost that leaving a known background costs
 constexpr int kExposureSamples = 64; // per segment
 constexpr int kLaterIterations = 4;  // of a round at the finest level
-constexpr double kSettled =
-    0.01; // relative change of the last solve that counts as none
 constexpr double kToleranceShare = 0.1; // a pair alone changes a sum of pairs little
 constexpr double kStartShare = 0.5;     // of the work
 
@@ -220,13 +218,10 @@ MultiFrameSolve::round (const Round& round, double begin, double end)
   SolverParameters solver = solver_;
   solver.function_tolerance *= kToleranceShare;
   solver.max_iterations = cancelled_ ? 0 : round.iterations;
-  const MultiFrameEnergy::Outcome outcome = energy.minimize (solver, monitor_, state_);
+  const SolveOutcome outcome = energy.minimize (solver, monitor_, state_);
   report_.initial_cost = outcome.initial;
   report_.final_cost = outcome.final;
-  const double change = outcome.initial.total() - outcome.final.total();
-  report_.converged =
-      outcome.iterations > 0 && !outcome.failed &&
-      (outcome.converged || std::abs (change) < kSettled * outcome.initial.total());
+  report_.converged = outcome.settled();
   if (round.place != Round::Last && user_.merge_bodies)
     mergeAndReassign (*level_);
 }

@@ -22,7 +22,6 @@ constexpr double kModelError = 0.15; // pixels that rigid segments leave unexpla
 constexpr double kRelativeDepthNoise = 0.003; // of inverse depth, beside the noise
 constexpr int kLaterRounds = 2;
 constexpr int kLastIterations = 4; // after the last merge
-constexpr double kSettled = 0.01;  // relative change of the last solve: none
 
 int
 threadCount (unsigned wanted)
@@ -113,7 +112,7 @@ TwoFrameSolve::refine (int at)
   const double begin = at == 0 ? 0.5 : 0.5 - 0.15 * at;
   monitor_.enter (
       "solve", at, begin, begin + (at == 0 ? 0.3 : 0.15), solver_.max_iterations);
-  JointEnergy::Outcome outcome = energy.minimize (solver_, monitor_, state_);
+  SolveOutcome outcome = energy.minimize (solver_, monitor_, state_);
   if (solver_.merge_bodies && at < kCoarsestLevel) {
     mergeAndReassign (energy, level);
     if (at == 0) {
@@ -134,10 +133,7 @@ TwoFrameSolve::refine (int at)
   }
   report_.initial_cost = outcome.initial;
   report_.final_cost = outcome.final;
-  const double change = outcome.initial.total() - outcome.final.total();
-  report_.converged =
-      outcome.iterations > 0 && !outcome.failed &&
-      (outcome.converged || std::abs (change) < kSettled * outcome.initial.total());
+  report_.converged = outcome.settled();
 }
 
 void
