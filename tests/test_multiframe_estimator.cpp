@@ -102,12 +102,19 @@ TEST (MultiframeEstimator, FollowsBodiesOverThreeFramesFromAnyReference)
   }
 }
 
-TEST (MultiframeEstimator, PosesOfAllPairsAgree)
+TEST (MultiframeEstimator, PosesOfAllPairsAgreeAndTermsAddUp)
 {
   const Room room (3);
   const Oversegmentation segments = room.segments (0);
   const MultiframeSceneFlow result =
       MultiframeEstimator().estimate (room.frames, 0, segments);
+  const std::vector<IterationRecord>& history = result.report().history;
+  ASSERT_FALSE (history.empty());
+  for (const IterationRecord& record : history) {
+    EXPECT_NEAR (record.terms.total(), record.cost, 0.05 * record.cost);
+    EXPECT_GT (record.terms.concatenation, 0.0);
+  }
+  EXPECT_GE (history.back().energy, 1) << "rounds have energies of their own";
   for (int k = 0; k < segments.size(); k += 7) {
     const Eigen::Vector3d p = result.frames[1].segments[k].centroid;
     const Eigen::Vector3d direct = result.poseBetween (0, 2, k) * p;

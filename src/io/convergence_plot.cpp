@@ -157,11 +157,8 @@ drawLevels (cv::Mat& plot,
       drawDashes (plot, area, left);
     const std::string words = again ? "new energy" : "level " + std::to_string (level);
     if (textWidth (words, letters) < right - left)
-      drawText (plot,
-                words,
-                {left, area.y - letters / 2},
-                letters,
-                cv::Scalar::all (60));
+      drawText (
+          plot, words, {left, area.y - letters / 2}, letters, cv::Scalar::all (60));
     begin = i;
   }
 }

@@ -93,8 +93,9 @@ layoutOf (const SceneFlow& flow,
   const double width = flow.points.cols;
   const double pixels = percentile (
       whereVisible (pixelLengths (flow, displacement), flow.visibility), kTypicalShare);
-  Layout layout{
-      options.arrow_step, options.arrow_scale, kLeastShare * pixels / flow.camera.fx};
+  Layout layout{options.arrow_step,
+                options.arrow_scale,
+                2.0 * kLeastShare * pixels / flow.camera.fx};
   if (layout.step == 0)
     layout.step = std::max (
         1,

@@ -32,7 +32,7 @@ namespace pcl_msf::visualization {
 namespace {
 
 constexpr int kLargestSide = 16384; ///< of OpenGL's textures, at least
-constexpr double kLineWidth = 1.8;  ///< of trajectories, pixels at 480 rows
+constexpr double kLineWidth = 1.5;  ///< of trajectories, pixels at 480 rows
 constexpr double kCasing = 1.9;     ///< width of the dark line below one, line widths
 const cv::Vec3b kCasingColor (60, 60, 60);
 
