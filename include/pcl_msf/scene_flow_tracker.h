@@ -13,15 +13,17 @@
 
 namespace pcl_msf {
 
+struct KnownStep;
+
 /** \brief How a SceneFlowTracker uses its window. */
 struct TrackerParameters {
-  int window{4};             ///< frames kept and solved jointly, [2, 16]
-  double least_visible{0.5}; ///< share of the reference's points seen in the newest
-                             ///< frame below which the window begins anew, [0, 1]
-  double least_kept{0.6};    ///< share of a new reference's points that carry a segment
-                             ///< below which it is segmented anew, [0, 1]
-  bool merge_segments{false}; ///< segments that moved as one rigid body over a window
-                              ///< become one segment of the next (they never split)
+  int window{4};               ///< frames kept and solved jointly, [2, 16]
+  double least_visible{0.5};   ///< share of the reference's points seen in the newest
+                               ///< frame below which the window begins anew, [0, 1]
+  double least_explained{0.5}; ///< share of the newest frame's points that a segment of
+                               ///< the reference covers below which it begins anew
+  bool merge_segments{false};  ///< segments that moved as one rigid body over a window
+                               ///< become one segment of the next (they never split)
 
   bool
   isValid (std::string* why = nullptr) const;
@@ -62,11 +64,17 @@ public:
   {
     return static_cast<int> (frames_.size());
   }
-  /** \brief How many frames were given before the window's first one. */
+  /** \brief How many frames were given before the window's reference. */
   long
   firstFrame () const
   {
-    return first_;
+    return indices_.empty() ? 0 : indices_.front();
+  }
+  /** \brief How many frames were given before a frame of the window. */
+  long
+  frameIndex (int frame) const
+  {
+    return indices_.at (frame);
   }
 
   /** \brief The window's result; frame 0 is its reference. No frames before the second
@@ -96,18 +104,24 @@ public:
 private:
   struct Window {
     std::deque<RgbdFrame> frames;
+    std::vector<long> indices; ///< per frame
+    std::vector<int>
+        former; ///< per frame but the new one, its place in the former window
     Oversegmentation segments;
     std::vector<int> origin; ///< per segment, its number in the former window or -1
     RigidPose world_from_reference;
-    long first;
   };
 
+  Window
+  grow () const;
   Window
   slide () const;
   Window
   beginAnew () const;
   std::vector<int>
   mergedLabels () const;
+  std::vector<KnownStep>
+  knownSteps (const Window& window) const;
   void
   solve (Window window);
   double
@@ -122,10 +136,10 @@ private:
   MultiframeParameters multiframe_;
   std::deque<RgbdFrame> frames_;
   Oversegmentation segments_;
-  cv::Mat carried_; ///< labels of frame 1, by the last result
   MultiframeSceneFlow result_;
   RigidPose world_from_reference_;
-  long first_{0};
+  std::vector<long> indices_; ///< per frame of the window
+  bool explained_{true};      ///< the newest frame, by the reference
 };
 
 } // namespace pcl_msf
