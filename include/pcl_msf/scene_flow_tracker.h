@@ -22,8 +22,9 @@ struct TrackerParameters {
                                ///< frame below which the window begins anew, [0, 1]
   double least_explained{0.5}; ///< share of the newest frame's points that a segment of
                                ///< the reference covers below which it begins anew
-  bool merge_segments{false};  ///< segments that moved as one rigid body over a window
-                               ///< become one segment of the next (they never split)
+  bool merge_segments{false};  ///< segments that moved as one rigid body over a full
+                               ///< window become one, until the reference is given up
+                               ///< (they never split)
 
   bool
   isValid (std::string* why = nullptr) const;
@@ -31,12 +32,16 @@ struct TrackerParameters {
 
 /** \brief Scene flow of an endless sequence: a window slides over it, frame by frame.
  *
- * The oldest frame of the window is the reference. Each new frame is solved jointly
- * with those kept (section 3.1); motions between frames that an earlier window held are
- * where it starts. When the window is full, the oldest frame leaves: its segments are
- * carried to the next one, which becomes the reference, and what they don't cover is
- * segmented. Memory does not grow with the number of frames. Not thread-safe; different
- * trackers are independent.
+ * The oldest frame of the window is the reference: its points and segments are
+ * followed. Each new frame is solved jointly with those kept (section 3.1); motions
+ * between frames that the window held before are where it starts. When the window is
+ * full, the oldest frame beside the reference leaves, so that motion builds up from a
+ * reference that stays. Once the newest frame and the reference show too little of each
+ * other, the newest frame becomes the reference of a new window, with segments of its
+ * own. Windows of two frames go from frame to frame.
+ *
+ * Memory does not grow with the number of frames. Not thread-safe; different trackers
+ * are independent.
  */
 class SceneFlowTracker {
 public:
@@ -49,8 +54,10 @@ public:
                     const MultiframeParameters& multiframe);
 
   /** \brief Takes the next frame; it needs normals. With the first one there is no
-   * motion yet. After an exception the tracker is as before.
-   * \throws InvalidInput when the frame does not fit the ones before (size, colour) */
+   * motion yet. After an exception the tracker is as before, and the next frame may
+   * follow.
+   * \throws InvalidInput when the frame has no point with depth, no normals, or does
+   * not fit the ones before (size, colour) */
   void
   add (const RgbdFrame& frame);
 
