@@ -55,12 +55,12 @@ Tracking::next()
   Taken taken{frame_, inputs_.load (frame_, 1).front()};
   outcome.seconds.load = watch.lap();
   line.stage ("frames");
-  const RgbdFrame frame = RgbdFrame::fromImages (
-      taken.images.color, taken.images.depth, taken.images.camera, options_.frame);
-  outcome.seconds.frame = watch.lap();
-  throwIfInterrupted();
-  line.stage ("track");
   try {
+    const RgbdFrame frame = RgbdFrame::fromImages (
+        taken.images.color, taken.images.depth, taken.images.camera, options_.frame);
+    outcome.seconds.frame = watch.lap();
+    throwIfInterrupted();
+    line.stage ("track");
     tracker_.add (frame);
   }
   catch (const InvalidInput& e) {

@@ -56,8 +56,8 @@ public:
   /** \brief Takes the next frame; it needs normals. With the first one there is no
    * motion yet. After an exception the tracker is as before, and the next frame may
    * follow.
-   * \throws InvalidInput when the frame has no point with depth, no normals, or does
-   * not fit the ones before (size, colour) */
+   * \throws InvalidInput when the frame is empty or does not fit the ones before
+   * (size, colour) */
   void
   add (const RgbdFrame& frame);
 

@@ -161,8 +161,6 @@ SceneFlowTracker::add (const RgbdFrame& frame)
 {
   if (frame.empty())
     throw InvalidInput ("the frame is empty");
-  if (cv::countNonZero (frame.levels()[0].inverse_depth > 0.0f) == 0)
-    throw InvalidInput ("the frame has no point with depth: leave it out");
   if (frames_.empty()) {
     segments_ = Oversegmentation::fromFrame (frame, segmentation_);
     frames_.push_back (frame);
