@@ -105,8 +105,10 @@ writeAll (Outcome& outcome, const Options& options, bool several)
     printSummary (outcome, options.output);
   const Report& report = outcome.lastFlow().report;
   if (!report.converged)
-    complain (std::string ("warning: not converged (") + toString (report.stop_reason) +
-              ")" + (report.message.empty() ? "" : " ") + report.message);
+    complain ("warning: frames " + std::to_string (outcome.reference()) + " to " +
+              std::to_string (outcome.indices[outcome.lastTarget()]) +
+              ": not converged (" + toString (report.stop_reason) + ")" +
+              (report.message.empty() ? "" : " ") + report.message);
 }
 
 void

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "core/label_refill.h"
+#include "core/label_use.h"
 #include "core/multi_frame_solve.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/scene_flow_estimator.h>
