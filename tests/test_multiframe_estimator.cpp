@@ -144,6 +144,36 @@ TEST (MultiframeEstimator, SameBitsForAnyNumberOfThreads)
   }
 }
 
+TEST (MultiframeEstimator, StaticBackgroundIsOneBodyAndLetsTheBoxGo)
+{
+  for (const int frames : {2, 3}) {
+    const Room room (frames);
+    MultiframeParameters parameters;
+    const Oversegmentation segments = room.segments (0);
+    const int last = frames - 1;
+    const MultiframeSceneFlow plain =
+        MultiframeEstimator ({}, {}, parameters).estimate (room.frames, 0, segments);
+    parameters.static_background = true;
+    const MultiframeSceneFlow known =
+        MultiframeEstimator ({}, {}, parameters).estimate (room.frames, 0, segments);
+    EXPECT_LE (known.frames[last].bodies, plain.frames[last].bodies);
+    EXPECT_GE (known.frames[last].bodies, 2) << "the box moves";
+    EXPECT_LT (meanError (room, 0, last, known.frames[last]), 0.12);
+    const Eigen::Vector3d wall (0, 0, 2.5);
+    const Eigen::Vector3d truth = test::motionBetween (room.scene, 0, 0, last) * wall;
+    EXPECT_LT ((known.frames[last].dominant_motion * wall - truth).norm(), 0.005);
+  }
+}
+
+TEST (MultiframeEstimator, RefusesAFrameWithoutColorAmongColoredOnes)
+{
+  const Room room (3);
+  std::vector<RgbdFrame> frames = room.frames;
+  frames[1] = RgbdFrame::fromImages (cv::Mat(), room.views[1].depth, room.scene.camera);
+  EXPECT_THROW (MultiframeEstimator().estimate (frames, 0, room.segments (0)),
+                InvalidInput);
+}
+
 TEST (MultiframeEstimator, LeavesOutDistantPairsWhenAsked)
 {
   const Room room (4);
