@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <queue>
 #include <set>
@@ -14,7 +15,8 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kLargest = 6; // bodies that every other one may join
+constexpr int kLargest = 6;        // bodies that every other one may join
+constexpr double kRounding = 1e-6; // of sums of single-precision products, relative
 
 /** E (x) = 1/2 x' A x - h' x + const over a pair's six pose parameters. */
 struct PoseQuadratic {
@@ -27,7 +29,7 @@ struct PoseQuadratic {
   solve (const Vector6& prior)
   {
     Matrix6 m = a;
-    const double ridge = 1e-9 * a.trace() + 1e-15;
+    const double ridge = kRounding * a.trace() + 1e-15;
     m.diagonal().array() += ridge;
     best = m.ldlt().solve (h + ridge * prior);
     return 0.5 * best.dot (a * best) - h.dot (best);
@@ -129,7 +131,7 @@ private:
   writeBack ();
 
   const std::vector<PairTerms>& terms_;
-  const int motions_; ///< from frame to frame
+  const double strictness_; ///< of the allowances
   const MergeRules rules_;
   MultiFrameState& state_;
   std::vector<BodyQuadratics> bodies_;
@@ -143,7 +145,7 @@ Merger::Merger (const std::vector<PairTerms>& terms,
                 const MergeRules& rules,
                 MultiFrameState& state)
 : terms_ (terms)
-, motions_ (frames - 1)
+, strictness_ (std::sqrt (frames - 1.0))
 , rules_ (rules)
 , state_ (state)
 , bodies_ (state.bodies())
@@ -203,7 +205,7 @@ Merger::consider (int a, int b)
   const BodyQuadratics& second = bodies_[b];
   const double costs = increase (first, second);
   const double allowed =
-      motions_ *
+      strictness_ *
       (rules_.allowance + rules_.per_point * std::min (first.points, second.points));
   if (costs < allowed)
     queue_.push ({costs, a, b, first.version, second.version});

@@ -21,7 +21,8 @@ struct MergeRules {
  * two bodies merge when the sum of their quadratics, minimized over one common pose per
  * pair of frames, lies no more than allowed above the sum of their own minima - a
  * chi-square test on their pose differences with their information matrices. Allowances
- * grow with the number of motions, one less than the frames.
+ * grow with the root of the number of motions, one less than the frames: pairs share
+ * their frames' noise.
  * \param terms of the pairs of frames that take part; their poses in the merged state
  * are the common ones, other pairs keep those of one of the bodies
  * \param frames of the window, two or more */

@@ -19,6 +19,7 @@ namespace {
 
 constexpr double kRelativeTolerance =
     0.01;                            // of the z-test at level 0; doubles per level
+constexpr double kSeparation = 0.2;  // mean cost that leaving all neighbours costs
 constexpr double kBackground = 0.3;  // mean cost that leaving a known background costs
 constexpr int kExposureSamples = 64; // per segment
 constexpr int kLaterIterations = 4;  // of a round at the finest level
@@ -257,6 +258,7 @@ MultiFrameSolve::mergeAndReassign (MultiFrameLevel& level)
   const std::vector<PairTerms> terms = pairTerms (level);
   mergeBodies (terms, pairs_.frames(), scene_.links, {}, state_);
   AssignmentRules rules;
+  rules.separation = kSeparation;
   rules.background = multiframe_.static_background ? kBackground : 0.0;
   reassignBodies (terms, scene_.links, rules, scene_.threads, state_);
 }
