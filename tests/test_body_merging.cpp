@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "core/body_merging.h"
-#include "support/two_bodies.h"
+#include "support/loose_plates.h"
 
 #include <random>
 
@@ -78,27 +78,9 @@ TEST (BodyMerging, SegmentWithoutTextureJoinsItsNeighbours)
              2e-3);
 }
 
-/** Four by three plates of 40 pixels, each with a motion of its own. */
-test::AnalyticScene
-loosePlates ()
-{
-  test::AnalyticScene s;
-  for (int i = 0; i < 12; ++i) {
-    const double x = 0.64 * (i % 4) - 1.28;
-    const double y = 0.64 * (i / 4) - 0.96;
-    s.quads.push_back ({{x, y, 2.4}, {0.64, 0, 0}, {0, 0.64, 0}, i, 0.5 + 1.3 * i});
-    const double a = 2.4 * i;
-    s.motions.push_back (
-        test::turnAbout ({x + 0.3, y + 0.3, 2.4},
-                         {0, 0, 0.01 * std::cos (1.7 * i)},
-                         {0.05 * std::cos (a), 0.05 * std::sin (a), 0}));
-  }
-  return s;
-}
-
 TEST (BodyMerging, NothingMergesWhenAllDiffer)
 {
-  test::TiledScene scene (loosePlates(), 40);
+  test::TiledScene scene (test::loosePlates(), test::kPlate);
   DataTerm data = scene.data();
   const MotionState before = scene.truth();
   data.sweep (before, Pass::Linearize);
@@ -108,15 +90,6 @@ TEST (BodyMerging, NothingMergesWhenAllDiffer)
   EXPECT_EQ (after.body_of, before.body_of);
   for (int k = 0; k < 12; ++k)
     EXPECT_EQ (after.poseOf (k).parameters, before.poseOf (k).parameters);
-}
-
-/** The loose plates, of which two move as one. */
-test::AnalyticScene
-loosePlatesButTwo (int a, int b)
-{
-  test::AnalyticScene s = loosePlates();
-  s.motions[b] = s.motions[a];
-  return s;
 }
 
 /** How many bodies are left of the plates, without links or with all of them. */
@@ -135,7 +108,7 @@ mergedPlates (const test::TiledScene& scene, bool linked)
 
 TEST (BodyMerging, LargestBodiesTakeWhatTheyDoNotTouch)
 {
-  const test::TiledScene scene (loosePlatesButTwo (0, 11), 40);
+  const test::TiledScene scene (test::loosePlatesButTwo (0, 11), test::kPlate);
   const MotionState after = mergedPlates (scene, false);
   EXPECT_EQ (after.poses.size(), 11u);
   EXPECT_EQ (after.body_of[0], after.body_of[11]);
@@ -144,7 +117,7 @@ TEST (BodyMerging, LargestBodiesTakeWhatTheyDoNotTouch)
 TEST (BodyMerging, SmallBodiesMergeOnlyAlongLinks)
 {
   // All plates are equally large: those with the lowest numbers count as the largest.
-  const test::TiledScene scene (loosePlatesButTwo (10, 11), 40);
+  const test::TiledScene scene (test::loosePlatesButTwo (10, 11), test::kPlate);
   EXPECT_EQ (mergedPlates (scene, false).poses.size(), 12u);
   const MotionState linked = mergedPlates (scene, true);
   EXPECT_EQ (linked.poses.size(), 11u);
@@ -166,7 +139,7 @@ TEST (BodyMerging, WhatTheLargestTakeMayGrow)
 
 TEST (BodyMerging, DifferentMotionsStayApartWithoutLinks)
 {
-  const test::TiledScene scene (loosePlates(), 40);
+  const test::TiledScene scene (test::loosePlates(), test::kPlate);
   EXPECT_EQ (mergedPlates (scene, false).poses.size(), 12u);
 }
 
