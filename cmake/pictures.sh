@@ -27,7 +27,7 @@ render () {
     --size 480x360 --supersampling 4 --output "$work" "$@"
 }
 render --kind before_tints --kind after_tints
-render --kind arrows --kind motions --view orbit --zoom 1.25
+render --kind arrows --kind motions --view orbit --azimuth 12 --elevation 12 --zoom 1.5
 
 small () { # one picture, few enough colours to be small
   convert "$1" "${@:3}" -strip +dither -colors 240 "PNG8:$source_dir/examples/pictures/$2"

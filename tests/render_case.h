@@ -51,16 +51,18 @@ protected:
     return cv::imread (folder_ ("out/" + name), cv::IMREAD_COLOR);
   }
 
-  /** A stored result of the case, as pcl_msf_scene_flow writes it. */
+  /** A stored result of the case, as pcl_msf_scene_flow writes it.
+   * \param motion the displacement of all points, metres \param frame the current one
+   */
   void
-  writeResult () const
+  writeResult (const cv::Scalar& motion = {0.02, 0, 0}, int frame = 1) const
   {
     SceneFlow flow;
     flow.camera = scene_.camera;
     const cv::Size size (SmallScene::kWidth, SmallScene::kHeight);
     const cv::Mat depth = SmallScene::depth (0);
     flow.points.create (size, CV_32FC3);
-    flow.displacement = cv::Mat (size, CV_32FC3, cv::Scalar (0.02, 0, 0));
+    flow.displacement = cv::Mat (size, CV_32FC3, motion);
     flow.labels = cv::Mat (size, CV_32SC1, cv::Scalar (0));
     flow.visibility = cv::Mat (size, CV_8UC1, cv::Scalar (Visibility::Visible));
     for (int row = 0; row < size.height; ++row)
@@ -72,7 +74,9 @@ protected:
       }
     std::filesystem::create_directory (folder_ ("result"));
     io::writeSceneFlowCloud (
-        folder_ ("result/scene_flow_0_1.pcd"), flow, SmallScene::color (0));
+        folder_ ("result/scene_flow_0_" + std::to_string (frame) + ".pcd"),
+        flow,
+        SmallScene::color (0));
   }
 
   const std::string tool_{PCL_MSF_RENDER};

@@ -75,6 +75,23 @@ TEST (Annotations, LegendHasSwatchesAndTheScaleItsBar)
   EXPECT_GT (drawn (picture (cv::Rect (200, 190, 120, 50))), 200);
 }
 
+TEST (Annotations, AnOpenScaleSaysSo)
+{
+  Scene scene;
+  scene.scale = ColorScale{0.0, 2.0, "", 2};
+  PictureStyle style = bareStyle();
+  style.legend = true;
+  const View view = sensorView ({300, 300, 160, 120}, style.size);
+  cv::Mat closed (style.size, CV_8UC3, cv::Scalar::all (0));
+  annotate (closed, scene, view, style);
+  scene.scale->open = true;
+  cv::Mat open (style.size, CV_8UC3, cv::Scalar::all (0));
+  annotate (open, scene, view, style);
+  cv::Mat difference;
+  cv::absdiff (open, closed, difference);
+  EXPECT_GT (drawn (difference), 10) << "the sign before the last number";
+}
+
 TEST (Annotations, AxesAreInTheLowerLeftCornerWithALengthWhenParallel)
 {
   PictureStyle style = bareStyle();

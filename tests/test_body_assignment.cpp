@@ -19,7 +19,7 @@ protected:
   reassign (MotionState& state, int threads = 1)
   {
     return reassignBodies (
-        data_, data_, scene_.links(), kSeparation, kRounds, threads, state);
+        data_, data_, scene_.links(), {kSeparation, 0.0, kRounds}, threads, state);
   }
 
   test::TiledScene scene_{test::foldedWall()};
@@ -90,7 +90,7 @@ protected:
   {
     const DataTerm data = scene_.data();
     return reassignBodies (
-        data, data, scene_.links(), kSeparation, kRounds, threads, state);
+        data, data, scene_.links(), {kSeparation, 0.0, kRounds}, threads, state);
   }
 
   test::TiledScene scene_{test::coveredWall()};

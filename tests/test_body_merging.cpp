@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "core/body_merging.h"
-#include "support/two_bodies.h"
+#include "support/loose_plates.h"
 
 #include <random>
 
@@ -14,11 +14,7 @@ namespace {
 using namespace pcl_msf;
 using Pass = DataTerm::Pass;
 
-MergeRules
-rules (const test::TiledScene& scene)
-{
-  return {scene.residualScale(), 10.0, 0.05};
-}
+constexpr MergeRules kRules{10.0, 0.05};
 
 /** Every segment a little off its motion, as estimates are: a tenth of a pixel. */
 MotionState
@@ -45,7 +41,8 @@ TEST (BodyMerging, TwoMotionsMakeTwoBodies)
   DataTerm data = scene.data();
   const MotionState before = estimated (scene, scene.pixels());
   data.sweep (before, Pass::Linearize);
-  const MotionState after = mergeBodies (data, scene.links(), rules (scene), before);
+  const MotionState after =
+      mergeBodies (data, scene.residualScale(), scene.links(), kRules, before);
   ASSERT_EQ (after.poses.size(), 2u);
   EXPECT_TRUE (test::samePartition (after.body_of, scene.bodyOf()));
   // The common poses are the true motions to a few hundredths of a pixel.
@@ -72,7 +69,8 @@ TEST (BodyMerging, SegmentWithoutTextureJoinsItsNeighbours)
   for (int i = 0; i < 3; ++i)
     blind.parameters[3 + i] += slip[i];
   data.sweep (before, Pass::Linearize);
-  const MotionState after = mergeBodies (data, scene.links(), rules (scene), before);
+  const MotionState after =
+      mergeBodies (data, scene.residualScale(), scene.links(), kRules, before);
   EXPECT_EQ (after.poses.size(), 2u);
   EXPECT_TRUE (test::samePartition (after.body_of, scene.bodyOf()));
   const Eigen::Vector3d& c = pixels.centroid[kBlind];
@@ -80,44 +78,18 @@ TEST (BodyMerging, SegmentWithoutTextureJoinsItsNeighbours)
              2e-3);
 }
 
-/** Four by three plates of 40 pixels, each with a motion of its own. */
-test::AnalyticScene
-loosePlates ()
-{
-  test::AnalyticScene s;
-  for (int i = 0; i < 12; ++i) {
-    const double x = 0.64 * (i % 4) - 1.28;
-    const double y = 0.64 * (i / 4) - 0.96;
-    s.quads.push_back ({{x, y, 2.4}, {0.64, 0, 0}, {0, 0.64, 0}, i, 0.5 + 1.3 * i});
-    const double a = 2.4 * i;
-    s.motions.push_back (
-        test::turnAbout ({x + 0.3, y + 0.3, 2.4},
-                         {0, 0, 0.01 * std::cos (1.7 * i)},
-                         {0.05 * std::cos (a), 0.05 * std::sin (a), 0}));
-  }
-  return s;
-}
-
 TEST (BodyMerging, NothingMergesWhenAllDiffer)
 {
-  test::TiledScene scene (loosePlates(), 40);
+  test::TiledScene scene (test::loosePlates(), test::kPlate);
   DataTerm data = scene.data();
   const MotionState before = scene.truth();
   data.sweep (before, Pass::Linearize);
-  const MotionState after = mergeBodies (data, scene.links(), rules (scene), before);
+  const MotionState after =
+      mergeBodies (data, scene.residualScale(), scene.links(), kRules, before);
   EXPECT_EQ (after.poses.size(), 12u);
   EXPECT_EQ (after.body_of, before.body_of);
   for (int k = 0; k < 12; ++k)
     EXPECT_EQ (after.poseOf (k).parameters, before.poseOf (k).parameters);
-}
-
-/** The loose plates, of which two move as one. */
-test::AnalyticScene
-loosePlatesButTwo (int a, int b)
-{
-  test::AnalyticScene s = loosePlates();
-  s.motions[b] = s.motions[a];
-  return s;
 }
 
 /** How many bodies are left of the plates, without links or with all of them. */
@@ -127,13 +99,16 @@ mergedPlates (const test::TiledScene& scene, bool linked)
   DataTerm data = scene.data();
   const MotionState before = scene.truth();
   data.sweep (before, Pass::Linearize);
-  return mergeBodies (
-      data, linked ? scene.links() : std::vector<SegmentLink>{}, rules (scene), before);
+  return mergeBodies (data,
+                      scene.residualScale(),
+                      linked ? scene.links() : std::vector<SegmentLink>{},
+                      kRules,
+                      before);
 }
 
 TEST (BodyMerging, LargestBodiesTakeWhatTheyDoNotTouch)
 {
-  const test::TiledScene scene (loosePlatesButTwo (0, 11), 40);
+  const test::TiledScene scene (test::loosePlatesButTwo (0, 11), test::kPlate);
   const MotionState after = mergedPlates (scene, false);
   EXPECT_EQ (after.poses.size(), 11u);
   EXPECT_EQ (after.body_of[0], after.body_of[11]);
@@ -142,7 +117,7 @@ TEST (BodyMerging, LargestBodiesTakeWhatTheyDoNotTouch)
 TEST (BodyMerging, SmallBodiesMergeOnlyAlongLinks)
 {
   // All plates are equally large: those with the lowest numbers count as the largest.
-  const test::TiledScene scene (loosePlatesButTwo (10, 11), 40);
+  const test::TiledScene scene (test::loosePlatesButTwo (10, 11), test::kPlate);
   EXPECT_EQ (mergedPlates (scene, false).poses.size(), 12u);
   const MotionState linked = mergedPlates (scene, true);
   EXPECT_EQ (linked.poses.size(), 11u);
@@ -156,14 +131,15 @@ TEST (BodyMerging, WhatTheLargestTakeMayGrow)
   DataTerm data = scene.data();
   const MotionState before = estimated (scene, scene.pixels());
   data.sweep (before, Pass::Linearize);
-  const MotionState after = mergeBodies (data, {}, rules (scene), before);
+  const MotionState after =
+      mergeBodies (data, scene.residualScale(), {}, kRules, before);
   EXPECT_EQ (after.poses.size(), 2u);
   EXPECT_TRUE (test::samePartition (after.body_of, scene.bodyOf()));
 }
 
 TEST (BodyMerging, DifferentMotionsStayApartWithoutLinks)
 {
-  const test::TiledScene scene (loosePlates(), 40);
+  const test::TiledScene scene (test::loosePlates(), test::kPlate);
   EXPECT_EQ (mergedPlates (scene, false).poses.size(), 12u);
 }
 
@@ -174,7 +150,8 @@ TEST (BodyMerging, BodiesWithoutSegmentsAreForgotten)
   MotionState before = scene.solved();
   before.poses.emplace_back();
   data.sweep (before, Pass::Linearize);
-  const MotionState after = mergeBodies (data, scene.links(), rules (scene), before);
+  const MotionState after =
+      mergeBodies (data, scene.residualScale(), scene.links(), kRules, before);
   ASSERT_EQ (after.poses.size(), 2u);
   for (int k = 0; k < scene.pixels().segments(); ++k)
     EXPECT_EQ (after.poseOf (k).parameters, before.poseOf (k).parameters);
@@ -186,7 +163,8 @@ TEST (BodyMerging, MergedBodiesStayMerged)
   DataTerm data = scene.data();
   const MotionState before = scene.solved();
   data.sweep (before, Pass::Linearize);
-  const MotionState after = mergeBodies (data, scene.links(), rules (scene), before);
+  const MotionState after =
+      mergeBodies (data, scene.residualScale(), scene.links(), kRules, before);
   EXPECT_EQ (after.poses.size(), 2u);
   EXPECT_TRUE (test::samePartition (after.body_of, before.body_of));
 }

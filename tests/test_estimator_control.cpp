@@ -56,6 +56,12 @@ TEST_F (Room, ReportTellsTheTruth)
   // A step's cost is taken before correspondences are renewed, its terms after.
   for (const IterationRecord& record : report.history)
     EXPECT_NEAR (record.terms.total(), record.cost, 0.05 * record.cost);
+  // A level has an energy of its own, and its number.
+  EXPECT_EQ (report.history.front().energy, 0);
+  for (std::size_t i = 1; i < report.history.size(); ++i) {
+    const int step = report.history[i].energy - report.history[i - 1].energy;
+    EXPECT_GE (step, report.history[i].level != report.history[i - 1].level ? 1 : 0);
+  }
   EXPECT_LE (report.final_cost.total(), report.initial_cost.total());
   EXPECT_EQ (result.segments.size(), static_cast<std::size_t> (segments_.size()));
   for (const SegmentMotion& segment : result.segments)

@@ -94,6 +94,31 @@ TEST (HtmlReport, EntriesGetATableOverAll)
                           "<td class=\"number\"></td><td>done</td></tr>"));
 }
 
+TEST (HtmlReport, TablesAreToBeLookedAt)
+{
+  io::HtmlReport report;
+  report.tables.push_back (
+      {"scores",
+       {"scene", "EPE", "points", "unknown"},
+       {{"room", "0.0054812228", "19200", ""}, {"1.2.3", "", "7", ""}}});
+  const std::string page = io::htmlPage (report, ".");
+  EXPECT_THAT (page, HasSubstr (">0.00548</td>"));
+  EXPECT_THAT (page, HasSubstr (">19200</td>"));
+  EXPECT_THAT (page, HasSubstr (">1.2.3</td>")) << "no number";
+  EXPECT_THAT (page, Not (HasSubstr ("unknown"))) << "an empty column";
+}
+
+TEST (HtmlReport, ReadsCsvAfterComments)
+{
+  const TemporaryFolder folder;
+  writeFile (folder ("t.csv"), "# results 1\r\n# a,b,c\npair,EPE\n#1,0.5\n");
+  const io::HtmlTable table = io::readCsvTable (folder ("t.csv"));
+  EXPECT_EQ (table.header, (std::vector<std::string>{"pair", "EPE"}));
+  EXPECT_EQ (table.rows, (std::vector<std::vector<std::string>>{{"#1", "0.5"}}));
+  writeFile (folder ("none.csv"), "# only this");
+  EXPECT_THROW (io::readCsvTable (folder ("none.csv")), IoError);
+}
+
 TEST (HtmlReport, ReadsCsv)
 {
   const TemporaryFolder folder;

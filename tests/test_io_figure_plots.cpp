@@ -141,6 +141,48 @@ TEST (ConvergencePlot, TermsAreDrawnAtTheirDecade)
       << "the band of the odd level";
 }
 
+TEST (ConvergencePlot, NoLineLeadsToAnotherEnergy)
+{
+  Report report;
+  for (int i = 0; i < 6; ++i) {
+    IterationRecord record;
+    record.energy = i / 3; // the second is in another unit
+    record.terms.icp = record.cost = i < 3 ? 1.0 : 100.0;
+    report.history.push_back (record);
+  }
+  const cv::Mat broken = io::convergencePlot (report, {640, 480});
+  for (IterationRecord& record : report.history)
+    record.energy = 0;
+  const cv::Mat joined = io::convergencePlot (report, {640, 480});
+  // Between the third and the fourth step, half-way between both costs.
+  const cv::Rect middle (310, 180, 60, 40);
+  const auto blacks = [&middle] (const cv::Mat& plot) {
+    return countColor (plot (middle), cv::Scalar::all (0), cv::Scalar::all (40));
+  };
+  EXPECT_GT (blacks (joined), 20);
+  EXPECT_EQ (blacks (broken), 0);
+  const auto grays = [&middle] (const cv::Mat& plot) {
+    return countColor (plot (middle), cv::Scalar::all (50), cv::Scalar::all (200));
+  };
+  EXPECT_GT (grays (broken), 10) << "dashes";
+}
+
+TEST (ConvergencePlot, WhatHasNoValueHasNoCurve)
+{
+  Report report = someReport(); // no prior, no concatenation
+  const cv::Mat without = io::convergencePlot (report, {640, 480});
+  const auto counts = [] (const cv::Mat& plot, const cv::Scalar& color) {
+    return countColor (
+        plot, color - cv::Scalar::all (12), color + cv::Scalar::all (12));
+  };
+  const cv::Scalar prior (170, 60, 160), concatenation (150, 150, 20);
+  EXPECT_EQ (counts (without, prior), 0);
+  EXPECT_EQ (counts (without, concatenation), 0);
+  for (IterationRecord& record : report.history)
+    record.terms.concatenation = 0.2;
+  EXPECT_GT (counts (io::convergencePlot (report, {640, 480}), concatenation), 200);
+}
+
 TEST (ConvergencePlot, EmptyAndBrokenHistoriesHaveAPicture)
 {
   EXPECT_EQ (io::convergencePlot (Report(), {160, 120}).size(), cv::Size (160, 120));

@@ -105,9 +105,10 @@ TEST (Report, HasItsKeysAndNullForNotFinite)
   flow.report.stop_reason = StopReason::IterationLimit;
   flow.report.initial_cost.icp = std::numeric_limits<double>::infinity();
   flow.report.final_cost.brightness = 0.25;
-  flow.report.history.push_back ({2, 0.75, 0.5, {0.5, 0.25, 0.0, 0.0}});
+  flow.report.history.push_back ({2, 0.75, 0.5, {0.5, 0.25, 0.0, 0.0}, 3});
   const std::string json = io::reportJson (flow, {1.5, 0.25, 0, 0, 0});
   EXPECT_THAT (json, ::testing::HasSubstr ("\"level\": 2"));
+  EXPECT_THAT (json, ::testing::HasSubstr ("\"energy\": 3"));
   EXPECT_THAT (json, ::testing::HasSubstr ("\"brightness\": 0.5"));
   for (const char* part : {"\"frames\": 2",
                            "\"width\": 2",

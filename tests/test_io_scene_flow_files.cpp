@@ -51,6 +51,8 @@ TEST (SceneFlowFiles, CloudComesBack)
   const io::StoredSceneFlow stored = io::readSceneFlowCloud (folder ("s.pcd"));
   const SceneFlow& read = stored.scene_flow;
   EXPECT_EQ (stored.color.at<cv::Vec3b> (5, 6), cv::Vec3b (200, 100, 50));
+  io::writeSceneFlowCloud (folder ("colourless.pcd"), flow, cv::Mat());
+  EXPECT_TRUE (io::readSceneFlowCloud (folder ("colourless.pcd")).color.empty());
   EXPECT_NEAR (read.camera.fx, 40.0, 1e-3);
   EXPECT_NEAR (read.camera.cy, 12.0, 1e-3);
   EXPECT_EQ (cv::countNonZero (read.labels != flow.labels), 0);

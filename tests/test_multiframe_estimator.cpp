@@ -102,12 +102,19 @@ TEST (MultiframeEstimator, FollowsBodiesOverThreeFramesFromAnyReference)
   }
 }
 
-TEST (MultiframeEstimator, PosesOfAllPairsAgree)
+TEST (MultiframeEstimator, PosesOfAllPairsAgreeAndTermsAddUp)
 {
   const Room room (3);
   const Oversegmentation segments = room.segments (0);
   const MultiframeSceneFlow result =
       MultiframeEstimator().estimate (room.frames, 0, segments);
+  const std::vector<IterationRecord>& history = result.report().history;
+  ASSERT_FALSE (history.empty());
+  for (const IterationRecord& record : history) {
+    EXPECT_NEAR (record.terms.total(), record.cost, 0.05 * record.cost);
+    EXPECT_GT (record.terms.concatenation, 0.0);
+  }
+  EXPECT_GE (history.back().energy, 1) << "rounds have energies of their own";
   for (int k = 0; k < segments.size(); k += 7) {
     const Eigen::Vector3d p = result.frames[1].segments[k].centroid;
     const Eigen::Vector3d direct = result.poseBetween (0, 2, k) * p;
@@ -135,6 +142,36 @@ TEST (MultiframeEstimator, SameBitsForAnyNumberOfThreads)
     EXPECT_TRUE (sameBits (a.frames[k].flow, b.frames[k].flow));
     EXPECT_TRUE (sameBits (a.frames[k].visibility, b.frames[k].visibility));
   }
+}
+
+TEST (MultiframeEstimator, StaticBackgroundIsOneBodyAndLetsTheBoxGo)
+{
+  for (const int frames : {2, 3}) {
+    const Room room (frames);
+    MultiframeParameters parameters;
+    const Oversegmentation segments = room.segments (0);
+    const int last = frames - 1;
+    const MultiframeSceneFlow plain =
+        MultiframeEstimator ({}, {}, parameters).estimate (room.frames, 0, segments);
+    parameters.static_background = true;
+    const MultiframeSceneFlow known =
+        MultiframeEstimator ({}, {}, parameters).estimate (room.frames, 0, segments);
+    EXPECT_LE (known.frames[last].bodies, plain.frames[last].bodies);
+    EXPECT_GE (known.frames[last].bodies, 2) << "the box moves";
+    EXPECT_LT (meanError (room, 0, last, known.frames[last]), 0.12);
+    const Eigen::Vector3d wall (0, 0, 2.5);
+    const Eigen::Vector3d truth = test::motionBetween (room.scene, 0, 0, last) * wall;
+    EXPECT_LT ((known.frames[last].dominant_motion * wall - truth).norm(), 0.005);
+  }
+}
+
+TEST (MultiframeEstimator, RefusesAFrameWithoutColorAmongColoredOnes)
+{
+  const Room room (3);
+  std::vector<RgbdFrame> frames = room.frames;
+  frames[1] = RgbdFrame::fromImages (cv::Mat(), room.views[1].depth, room.scene.camera);
+  EXPECT_THROW (MultiframeEstimator().estimate (frames, 0, room.segments (0)),
+                InvalidInput);
 }
 
 TEST (MultiframeEstimator, LeavesOutDistantPairsWhenAsked)

@@ -48,7 +48,11 @@ waitFor (const std::function<bool()>& condition)
   return condition();
 }
 
-TEST_F (RenderCase, SigtermLeavesNoDisplayAndNoHalfPicture)
+class RenderSignals : public RenderCase, public ::testing::WithParamInterface<int> {};
+
+INSTANTIATE_TEST_SUITE_P (All, RenderSignals, ::testing::Values (SIGTERM, SIGHUP));
+
+TEST_P (RenderSignals, LeaveNoDisplayAndNoHalfPicture)
 {
   writeResult();
   const pid_t tool = fork();
@@ -76,11 +80,11 @@ TEST_F (RenderCase, SigtermLeavesNoDisplayAndNoHalfPicture)
     if (processName ("/proc/" + child) == "Xvfb")
       display = child;
   ASSERT_FALSE (display.empty()) << "no Xvfb while drawing";
-  kill (tool, SIGTERM);
+  kill (tool, GetParam());
   int status = 0;
   waitpid (tool, &status, 0);
   ASSERT_TRUE (WIFEXITED (status));
-  EXPECT_EQ (WEXITSTATUS (status), 128 + SIGTERM);
+  EXPECT_EQ (WEXITSTATUS (status), 128 + GetParam());
   EXPECT_FALSE (fs::exists ("/proc/" + display) &&
                 processName ("/proc/" + display) == "Xvfb");
   int pictures = 0;

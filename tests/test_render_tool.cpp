@@ -80,6 +80,23 @@ TEST_F (RenderCase, DrawsStoredResultsWithViewsAndSizes)
                  "bodies_0.png");
 }
 
+TEST_F (RenderCase, TrajectoriesGoThroughAllFramesUpToTheCurrentOne)
+{
+  writeResult ({0, 0.2, 0}, 1);
+  writeResult ({0.3, 0, 0}, 2);
+  const std::string command = folder_ ("result") +
+                              " --frame 2 --kind trajectories --arrow-scale 1 "
+                              "--output " +
+                              folder_ ("out");
+  ASSERT_EQ (run (command).status, 0);
+  const cv::Mat bent = picture ("trajectories.png");
+  std::filesystem::remove (folder_ ("result/scene_flow_0_1.pcd"));
+  ASSERT_EQ (run (command).status, 0) << "frames that are not there are left out";
+  EXPECT_GT (cv::norm (bent, picture ("trajectories.png"), cv::NORM_L1),
+             5.0 * static_cast<double> (bent.total()));
+  expectRefusal (command + " --window 3", "scene_flow_0_1.pcd");
+}
+
 TEST_F (RenderCase, RefusesWhatItCannotDo)
 {
   expectRefusal (folder_ ("nothing"), "there is none of that name");

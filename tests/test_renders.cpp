@@ -104,6 +104,25 @@ TEST (Renders, BlendedCloudsAreAveragedWhereBothAre)
   EXPECT_EQ (drawn (picture), 2);
 }
 
+TEST (Renders, TrianglesFillTheGapBetweenTheirPoints)
+{
+  PointSet set{cv::Mat (1, 3, CV_32FC3), cv::Mat (1, 3, CV_8UC3, cv::Scalar (kRed))};
+  set.positions.at<cv::Vec3f> (0, 0) = pointAt (10, 10, 1.0);
+  set.positions.at<cv::Vec3f> (0, 1) = pointAt (50, 10, 1.0);
+  set.positions.at<cv::Vec3f> (0, 2) = pointAt (30, 40, 1.0);
+  Scene scene;
+  scene.points = {set};
+  EXPECT_EQ (drawn (render (scene)), 3);
+  scene.points[0].triangles = {{0, 1, 2}};
+  EXPECT_NEAR (drawn (render (scene)), 40 * 30 / 2, 60);
+  EXPECT_EQ (render (scene).at<cv::Vec3b> (20, 30), kRed);
+  scene.points[0].positions.at<cv::Vec3f> (0, 1)[2] =
+      std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ (drawn (render (scene)), 2) << "a corner is unknown";
+  scene.points[0].triangles = {{0, 1, 3}};
+  EXPECT_THROW (render (scene), InvalidInput);
+}
+
 TEST (Renders, UnknownPointsAreNotDrawn)
 {
   Scene scene;

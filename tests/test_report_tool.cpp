@@ -30,7 +30,7 @@ TEST (ReportTool, WritesAPageOverFoldersAndTables)
                kTool + folder ("runs") + " --csv " + folder ("t.csv") +
                    " --title Mine --output " + folder ("page/index.html"));
   ASSERT_EQ (done.status, 0) << done.err;
-  EXPECT_THAT (done.out, HasSubstr ("2 results, 1 tables"));
+  EXPECT_THAT (done.out, HasSubstr ("results 2, tables 1"));
   const std::string page = readFile (folder ("page/index.html"));
   EXPECT_THAT (page, HasSubstr ("<h1>Mine</h1>"));
   EXPECT_THAT (page, HasSubstr ("<td class=\"number\">0.25</td>"));

@@ -149,11 +149,11 @@ TEST (ResultScenes, TrajectoriesEndWhereNothingIsKnown)
   options.arrow_step = 10;
   options.arrow_scale = 1.0;
   const Scene scene = trajectoryScene (result, {first, second}, options);
-  ASSERT_EQ (scene.lines.size(), 8U);
-  EXPECT_EQ (scene.lines[2].points.size(), 3U) << "column 25";
-  EXPECT_FLOAT_EQ (scene.lines[2].points[2][0], 0.1F + 0.2F);
-  EXPECT_EQ (scene.lines[3].points.size(), 2U) << "column 35";
-  EXPECT_NE (scene.lines[2].colors[0], scene.lines[2].colors[2]);
+  ASSERT_EQ (scene.lines.size(), 4U) << "columns 5 and 15 rest";
+  EXPECT_EQ (scene.lines[0].points.size(), 3U) << "column 25";
+  EXPECT_FLOAT_EQ (scene.lines[0].points[2][0], 0.1F + 0.2F);
+  EXPECT_EQ (scene.lines[1].points.size(), 2U) << "column 35";
+  EXPECT_NE (scene.lines[0].colors[0], scene.lines[0].colors[2]);
   EXPECT_THROW (trajectoryScene (result, {}, options), InvalidInput);
   EXPECT_THROW (trajectoryScene (result, {cv::Mat (2, 2, CV_32FC3)}, options),
                 InvalidInput);
@@ -176,6 +176,49 @@ TEST (ResultScenes, ResidualsAreMeasuredWhereBothFramesSee)
   EXPECT_NE (full.points[0].colors.at<cv::Vec3b> (5, 5), colors.at<cv::Vec3b> (5, 5));
   const Scene brightness = resultScene (PictureKind::Residual, someResult(), {});
   EXPECT_NEAR (brightness.scale->maximum, 10.0, 1e-6);
+}
+
+TEST (ResultScenes, ScalesEndAtRoundNumbersAndTellWhatLiesBeyond)
+{
+  ResultClouds result = someResult();
+  result.current_color.colRange (0, 10).setTo (cv::Scalar::all (113));
+  const Scene automatic = resultScene (PictureKind::Residual, result);
+  EXPECT_DOUBLE_EQ (automatic.scale->maximum, 15.0) << "10 and 13 grey levels";
+  EXPECT_FALSE (automatic.scale->open);
+  result.current_color.at<cv::Vec3b> (3, 3) = {200, 200, 200};
+  const Scene outlier = resultScene (PictureKind::Residual, result);
+  EXPECT_DOUBLE_EQ (outlier.scale->maximum, 15.0);
+  EXPECT_TRUE (outlier.scale->open);
+  SceneOptions options;
+  options.maximum = 7.0;
+  const Scene given = resultScene (PictureKind::Residual, result, options);
+  EXPECT_DOUBLE_EQ (given.scale->maximum, 7.0) << "not rounded";
+  EXPECT_TRUE (given.scale->open);
+}
+
+TEST (ResultScenes, CracksOfWarpedCloudsAreClosed)
+{
+  EXPECT_FALSE (
+      resultScene (PictureKind::Warped, someResult()).points[0].triangles.empty());
+  EXPECT_TRUE (
+      resultScene (PictureKind::Before, someResult()).points[0].triangles.empty());
+}
+
+TEST (ResultScenes, CloudsWithoutColoursAreLit)
+{
+  ResultClouds result = someResult();
+  result.reference_color.release();
+  result.current_color.release();
+  for (int row = 0; row < kSize.height; ++row) // the left half is steep
+    for (int col = 0; col < 20; ++col)
+      result.scene_flow.points.at<cv::Vec3f> (row, col)[2] += 0.08F * (20 - col);
+  const Scene scene = resultScene (PictureKind::Warped, result);
+  const cv::Vec3b steep = scene.points[0].colors.at<cv::Vec3b> (10, 5);
+  const cv::Vec3b frontal = scene.points[0].colors.at<cv::Vec3b> (10, 30);
+  EXPECT_GT (frontal[0], steep[0] + 50);
+  EXPECT_LT (frontal[0], 230) << "stands out on white paper";
+  EXPECT_NO_THROW (resultScene (PictureKind::AfterTints, result));
+  EXPECT_NO_THROW (resultScene (PictureKind::Segments, result));
 }
 
 TEST (ResultScenes, WarpGoesThroughTheWindow)

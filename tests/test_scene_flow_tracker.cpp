@@ -6,6 +6,10 @@
 #include <pcl_msf/errors.h>
 #include <pcl_msf/piecewise_rigid_tracker.h>
 
+#include <cmath>
+#include <cstring>
+#include <map>
+
 namespace {
 
 using namespace pcl_msf;
@@ -49,37 +53,107 @@ TEST (SceneFlowTracker, FollowsTheCameraWithABoundedWindow)
                0.004 * (1 + frame));
     ++frame;
   }
-  EXPECT_EQ (tracker.firstFrame(), kFrames - 3);
+  EXPECT_EQ (tracker.firstFrame(), 0) << "it still explains the frames";
+  EXPECT_EQ (tracker.frameIndex (1), kFrames - 2);
+  EXPECT_EQ (tracker.frameIndex (2), kFrames - 1);
   EXPECT_EQ (tracker.result().frames.size(), 3U);
   EXPECT_FALSE (tracker.sceneFlow().flow.empty());
 }
 
-TEST (SceneFlowTracker, MergedSegmentsNeverGrowInNumberOnOneSurface)
+/** Every segment of `before` lies in one segment of `after`. */
+bool
+onlyMerged (const cv::Mat& before, const cv::Mat& after)
 {
-  const test::AnalyticScene scene = standingRoom();
-  TrackerParameters parameters;
-  parameters.window = 3;
-  parameters.merge_segments = true;
-  SceneFlowTracker tracker = makeTracker (parameters);
-  int first = 0;
-  for (const test::View& view : test::renderWindow (scene, kFrames)) {
-    tracker.add (scene.frame (view));
-    first = first == 0 ? tracker.segments().size() : first;
-  }
-  EXPECT_LT (tracker.segments().size(), first);
+  std::map<int, int> now;
+  for (int y = 0; y < before.rows; ++y)
+    for (int x = 0; x < before.cols; ++x) {
+      const int merged = after.at<int> (y, x);
+      if (now.emplace (before.at<int> (y, x), merged).first->second != merged)
+        return false;
+    }
+  return true;
 }
 
-TEST (SceneFlowTracker, BeginsAnewWhenTheReferenceShowsNothingOfTheFrame)
+TEST (SceneFlowTracker, SegmentsMergeAndNeverSplit)
+{
+  const test::AnalyticScene scene = standingRoom();
+  for (const bool merge : {true, false}) {
+    TrackerParameters parameters;
+    parameters.window = 3;
+    parameters.merge_segments = merge;
+    SceneFlowTracker tracker = makeTracker (parameters);
+    cv::Mat labels;
+    int first = 0;
+    for (const test::View& view : test::renderWindow (scene, kFrames)) {
+      tracker.add (scene.frame (view));
+      ASSERT_EQ (tracker.firstFrame(), 0);
+      const cv::Mat now = tracker.segments().labels();
+      EXPECT_TRUE (labels.empty() || onlyMerged (labels, now));
+      labels = now.clone();
+      first = first == 0 ? tracker.segments().size() : first;
+    }
+    if (merge)
+      EXPECT_LT (tracker.segments().size(), first);
+    else
+      EXPECT_EQ (tracker.segments().size(), first);
+    EXPECT_LT (distanceToTruth (scene, kFrames - 1, tracker.cameraPose()), 0.02);
+  }
+}
+
+TEST (SceneFlowTracker, SameFramesSameBits)
+{
+  const test::AnalyticScene scene = standingRoom();
+  std::vector<cv::Mat> flows;
+  for (const unsigned threads : {1U, 2U}) {
+    SolverParameters solver;
+    solver.threads = threads;
+    TrackerParameters parameters;
+    parameters.window = 3;
+    SceneFlowTracker tracker (parameters, {}, {}, solver, {});
+    for (const test::View& view : test::renderWindow (scene, 4))
+      tracker.add (scene.frame (view));
+    flows.push_back (tracker.sceneFlow().flow);
+  }
+  int different = 0;
+  for (int y = 0; y < flows[0].rows; ++y)
+    for (int x = 0; x < flows[0].cols; ++x)
+      different += std::memcmp (&flows[0].at<cv::Vec2f> (y, x),
+                                &flows[1].at<cv::Vec2f> (y, x),
+                                sizeof (cv::Vec2f)) != 0;
+  EXPECT_EQ (different, 0);
+}
+
+TEST (SceneFlowTracker, BeginsAnewWhenReferenceAndFrameShowTooLittleOfEachOther)
 {
   const test::AnalyticScene scene = test::roomWithBox();
-  TrackerParameters parameters;
-  parameters.window = 4;
-  parameters.least_visible = 1.0; // never satisfied
-  SceneFlowTracker tracker = makeTracker (parameters);
-  for (const test::View& view : test::renderWindow (scene, 4))
-    tracker.add (scene.frame (view));
-  EXPECT_EQ (tracker.frames(), 2);
-  EXPECT_EQ (tracker.firstFrame(), 2);
+  for (double TrackerParameters::*least :
+       {&TrackerParameters::least_visible, &TrackerParameters::least_explained}) {
+    TrackerParameters parameters;
+    parameters.window = 4;
+    parameters.*least = 1.0; // never satisfied
+    SceneFlowTracker tracker = makeTracker (parameters);
+    int frame = 0;
+    for (const test::View& view : test::renderWindow (scene, 4)) {
+      tracker.add (scene.frame (view));
+      EXPECT_LT (distanceToTruth (scene, frame, tracker.cameraPose()),
+                 0.004 * (1 + frame));
+      ++frame;
+    }
+    EXPECT_EQ (tracker.frames(), 2);
+    EXPECT_EQ (tracker.firstFrame(), 2);
+  }
+}
+
+TEST (SceneFlowTracker, RefusesAFrameWithoutColorAmongColoredOnes)
+{
+  const test::AnalyticScene scene = standingRoom();
+  const std::vector<test::View> views = test::renderWindow (scene, 2);
+  SceneFlowTracker tracker = makeTracker ({});
+  tracker.add (scene.frame (views[0]));
+  EXPECT_THROW (
+      tracker.add (RgbdFrame::fromImages (cv::Mat(), views[1].depth, scene.camera)),
+      InvalidInput);
+  EXPECT_EQ (tracker.frames(), 1);
 }
 
 TEST (SceneFlowTracker, WindowOfTwoIsFrameToFrame)
@@ -146,18 +220,43 @@ TEST (PiecewiseRigidTracker, TakesCloudsAndGivesTheReferenceCarried)
   for (const test::View& view : test::renderWindow (scene, 4)) {
     clouds.push_back (toCloud (scene, view));
     ASSERT_TRUE (tracker.addCloud (clouds.back()));
+    test::View blind = view;
+    blind.depth = std::nanf ("");
+    EXPECT_FALSE (tracker.addCloud (toCloud (scene, blind))) << "and goes on";
   }
-  EXPECT_EQ (tracker.getReferenceIndex(), 1);
-  EXPECT_EQ (tracker.getReferenceCloud(), clouds[1]);
+  EXPECT_EQ (tracker.getReferenceIndex(), 0);
+  EXPECT_EQ (tracker.getReferenceCloud(), clouds[0]);
+  EXPECT_EQ (clouds[1].use_count(), 1) << "given back";
   const Cloud warped = tracker.getWarpedCloud();
   ASSERT_TRUE (warped.isOrganized());
-  const Eigen::Vector3d truth = test::motionBetween (scene, 0, 1, 3) *
-                                (*clouds[1]) (80, 60).getVector3fMap().cast<double>();
+  const Eigen::Vector3d truth = test::motionBetween (scene, 0, 0, 3) *
+                                (*clouds[0]) (80, 60).getVector3fMap().cast<double>();
   EXPECT_LT ((warped (80, 60).getVector3fMap().cast<double>() - truth).norm(), 0.01);
   const RigidPose camera = RigidPose::fromMatrix (tracker.getCameraPose());
   EXPECT_LT (distanceToTruth (scene, 3, camera), 0.015);
   tracker.restart();
   EXPECT_TRUE (tracker.getReferenceCloud() == nullptr);
+}
+
+TEST (PiecewiseRigidTracker, WarpsTheReferenceOfTheNewWindow)
+{
+  const test::AnalyticScene scene = standingRoom();
+  PiecewiseRigidTracker<pcl::PointXYZI> tracker;
+  TrackerParameters parameters;
+  parameters.window = 2;
+  tracker.setTrackerParameters (parameters);
+  std::vector<Cloud::Ptr> clouds;
+  for (const test::View& view : test::renderWindow (scene, 3)) {
+    clouds.push_back (toCloud (scene, view));
+    ASSERT_TRUE (tracker.addCloud (clouds.back()));
+    EXPECT_FALSE (tracker.addCloud (pcl::make_shared<Cloud>())) << "no cloud";
+  }
+  EXPECT_EQ (tracker.getReferenceIndex(), 1);
+  EXPECT_EQ (tracker.getReferenceCloud(), clouds[1]);
+  const Eigen::Vector3d truth = test::motionBetween (scene, 0, 1, 2) *
+                                (*clouds[1]) (80, 60).getVector3fMap().cast<double>();
+  const Cloud warped = tracker.getWarpedCloud();
+  EXPECT_LT ((warped (80, 60).getVector3fMap().cast<double>() - truth).norm(), 0.01);
 }
 
 } // namespace

@@ -112,6 +112,56 @@ TEST_F (SceneFlowWindow, RunsAFolderInWindowsThatShareAFrame)
   EXPECT_EQ (poses, 4);
 }
 
+TEST_F (SceneFlowWindow, TracksAFolderFromOneReference)
+{
+  writeRecording (5);
+  const ToolRun done =
+      run (" " + folder_ ("case") + " --window 3 --track --output " + folder_ ("out"));
+  ASSERT_EQ (done.status, 0) << done.err;
+  for (int k = 1; k < 5; ++k) {
+    const std::string pair = "_0_" + std::to_string (k);
+    EXPECT_NEAR (boxFlow ("flow" + pair + ".flo"), k * SmallScene::kBoxShift, 0.4);
+    for (const char* name : {"scene_flow", "warped"})
+      EXPECT_TRUE (exists (name + pair + ".pcd")) << name << pair;
+  }
+  for (const char* name : {"report_0.json", "overview_0.png", "poses_0.yaml"})
+    EXPECT_TRUE (exists (name)) << name;
+  cv::FileStorage poses (folder_ ("out/poses_0.json"),
+                         cv::FileStorage::READ | cv::FileStorage::FORMAT_JSON);
+  ASSERT_EQ (poses["frames"].size(), 3U);
+  EXPECT_EQ (static_cast<int> (poses["frames"][1]), 3) << "place in the recording";
+  std::istringstream lines (readFile (folder_ ("out/trajectory.txt")));
+  int count = 0;
+  for (std::string line; std::getline (lines, line);)
+    count += !line.empty() && line[0] != '#';
+  EXPECT_EQ (count, 5);
+}
+
+TEST_F (SceneFlowWindow, KeepsWhatItTrackedWhenAFrameIsDamaged)
+{
+  writeRecording (4);
+  io::writeDepth (
+      folder_ ("case/depth_3.png"), cv::Mat::zeros (120, 160, CV_32FC1), 5000.0);
+  const ToolRun done =
+      run (" " + folder_ ("case") + " --track --quiet --output " + folder_ ("out"));
+  EXPECT_GT (done.status, 0);
+  EXPECT_EQ (done.errorLines(), 1) << done.err;
+  EXPECT_THAT (done.err, HasSubstr ("frame 3"));
+  EXPECT_TRUE (exists ("flow_0_2.flo"));
+  EXPECT_TRUE (exists ("trajectory.txt"));
+}
+
+TEST_F (SceneFlowWindow, KnowsAStaticBackground)
+{
+  writeRecording (3);
+  const ToolRun done =
+      run (" " + folder_ ("case") + " --static-background 1 --quiet --output " +
+           folder_ ("out"));
+  ASSERT_EQ (done.status, 0) << done.err;
+  EXPECT_NEAR (boxFlow ("flow_0_2.flo"), 2 * SmallScene::kBoxShift, 0.3)
+      << "its points object";
+}
+
 TEST_F (SceneFlowWindow, ReferenceInTheMiddle)
 {
   writeRecording (3);
@@ -135,6 +185,8 @@ TEST_F (SceneFlowWindow, RefusesInOneLine)
   const std::string folder = " " + folder_ ("case");
   refused (folder + " --window 1", "--window");
   refused (folder + " --reference 3", "--reference");
+  refused (folder + " --track --reference 1", "--track");
+  refused (folder + " --track --window 17", "--window");
   refused (folder + folder, "not an option");
   refused (folder + " --depth x", "not together");
   refused (" " + folder_ ("nowhere"), "nowhere");

@@ -2,16 +2,20 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
+#include "visualization/child_process.h"
 #include <gmock/gmock.h>
 #include <pcl_msf/visualization/virtual_display.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <X11/Xlib.h>
 
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace {
 
@@ -92,6 +96,60 @@ TEST (VirtualDisplay, ReplacesADisplayThatDoesNotAnswer)
     EXPECT_NE (display.name(), ":59173");
   }
   EXPECT_STREQ (std::getenv ("DISPLAY"), ":59173");
+}
+
+/** An Xvfb as users start it: when its last client leaves, it starts anew. */
+class ForgetfulDisplay {
+public:
+  ForgetfulDisplay()
+  {
+    int ends[2];
+    if (pipe (ends) != 0)
+      return;
+    server_ = std::make_unique<ChildProcess> (
+        std::vector<std::string>{
+            findProgram ("Xvfb"), "-displayfd", std::to_string (ends[1])},
+        ends[1]);
+    close (ends[1]);
+    for (char c = 0; read (ends[0], &c, 1) == 1 && c != '\n';)
+      name_ += c;
+    close (ends[0]);
+  }
+  std::string
+  name () const
+  {
+    return ":" + name_;
+  }
+  /** Is there an atom of that name? A server that starts anew has none. */
+  bool
+  remembers (const char* atom) const
+  {
+    return intern (atom, True) != None;
+  }
+  Atom
+  intern (const char* atom, Bool only_known) const
+  {
+    Display* display = XOpenDisplay (name().c_str());
+    const Atom found = display != nullptr ? XInternAtom (display, atom, only_known) : 0;
+    if (display != nullptr)
+      XCloseDisplay (display);
+    return found;
+  }
+
+private:
+  std::unique_ptr<ChildProcess> server_;
+  std::string name_;
+};
+
+TEST (VirtualDisplay, HoldsADisplayThatWasThere)
+{
+  const ForgetfulDisplay server;
+  ASSERT_NE (server.name(), ":");
+  const Environment there ("DISPLAY", server.name().c_str());
+  const VirtualDisplay display;
+  EXPECT_FALSE (display.started());
+  server.intern ("PCL_MSF_TEST", False);
+  EXPECT_TRUE (server.remembers ("PCL_MSF_TEST")) << "the guard is a client";
 }
 
 TEST (VirtualDisplay, SaysWhatToInstall)

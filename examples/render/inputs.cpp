@@ -64,6 +64,21 @@ requireFrame (const io::DataFolder& folder, int frame)
                             " frames, there is no frame " + std::to_string (frame));
 }
 
+/** Last frame that pictures of the way through the window need; 0 = none does. */
+int
+lastOfWindow (const RenderOptions& options)
+{
+  const auto& kinds = options.kinds;
+  const bool paths =
+      options.animation == Animation::Warp ||
+      std::find (kinds.begin(),
+                 kinds.end(),
+                 visualization::PictureKind::Trajectories) != kinds.end();
+  if (!paths)
+    return 0;
+  return options.window > 0 ? options.window : options.frame;
+}
+
 /** A folder that pcl_msf_scene_flow wrote. */
 RenderInputs
 loadResult (const RenderOptions& options)
@@ -92,13 +107,14 @@ loadResult (const RenderOptions& options)
     requireFrame (frames, options.frame);
     takeCurrent (frames.frame (options.frame), inputs.result);
   }
-  const int last = std::max (options.window, options.frame);
+  const int last = std::max (lastOfWindow (options), options.frame);
   for (int k = 1; k <= last; ++k) {
     throwIfInterrupted();
     const std::string path = numbered (folder, "scene_flow_0_", k, ".pcd");
+    const bool wanted = options.window > 0 || fs::exists (path);
     if (k == options.frame)
       inputs.displacements.push_back (flow.displacement);
-    else if (k <= options.window)
+    else if (k <= lastOfWindow (options) && wanted)
       inputs.displacements.push_back (
           io::readSceneFlowCloud (path).scene_flow.displacement);
   }
@@ -142,14 +158,14 @@ RenderInputs
 estimate (const RenderOptions& options)
 {
   const io::DataFolder folder (options.input);
-  const int last = std::max (options.window, options.frame);
+  const int last = std::max (lastOfWindow (options), options.frame);
   requireFrame (folder, last);
   io::RgbdImages reference = folder.frame (0);
   const Estimation estimation (reference);
   RenderInputs inputs;
   inputs.result.reference_color = reference.color;
   for (int k = 1; k <= last; ++k) {
-    if (k != options.frame && k > options.window)
+    if (k != options.frame && k > lastOfWindow (options))
       continue;
     if (!options.quiet && isatty (STDERR_FILENO) != 0)
       std::fprintf (stderr, "scene flow from frame 0 to %d\n", k);

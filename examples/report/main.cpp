@@ -101,7 +101,7 @@ run (const ReportOptions& options)
   if (!parent.empty())
     io::makeFolder (parent);
   io::writeHtmlReport (options.output, report);
-  std::printf ("%s: %zu results, %zu tables\n",
+  std::printf ("%s: results %zu, tables %zu\n",
                options.output.c_str(),
                report.entries.size(),
                report.tables.size());

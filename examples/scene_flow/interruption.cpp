@@ -31,6 +31,9 @@ noteSignals ()
   sigemptyset (&action.sa_mask);
   sigaction (SIGINT, &action, nullptr);
   sigaction (SIGTERM, &action, nullptr);
+  struct sigaction before {};
+  if (sigaction (SIGHUP, nullptr, &before) == 0 && before.sa_handler != SIG_IGN)
+    sigaction (SIGHUP, &action, nullptr); // ignored: nohup wants it to go on
 }
 
 bool

@@ -6,14 +6,14 @@
 
 namespace pcl_msf::tool {
 
-/** \brief Thrown between two stages after SIGINT or SIGTERM. */
+/** \brief Thrown between two stages after a signal that ends. */
 class Interrupted : public std::runtime_error {
 public:
   Interrupted();
 };
 
-/** \brief Has SIGINT and SIGTERM noted in place of ending the process; a second one
- * ends it. */
+/** \brief Has SIGINT, SIGTERM and SIGHUP noted in place of ending the process; a second
+ * one ends it. A SIGHUP that is ignored (nohup) stays so. */
 void
 noteSignals ();
 

@@ -9,6 +9,7 @@
 #include "options.h"
 #include "output.h"
 #include "pipeline.h"
+#include "tracking.h"
 #include <pcl_msf/io/folders.h>
 #include <pcl_msf/io/pose_files.h>
 
@@ -75,10 +76,15 @@ public:
       const RigidPose motion = static_cast<int> (k) == result.reference
                                    ? RigidPose{}
                                    : result.frames[k].dominant_motion;
-      poses_.push_back ({inputs.timestamp (outcome.first + static_cast<int> (k)),
+      poses_.push_back ({inputs.timestamp (outcome.indices[k]),
                          world_from_reference * motion.inverse()});
     }
     last_ = poses_.back().world_from_camera;
+  }
+  void
+  add (double seconds, const RigidPose& world_from_camera)
+  {
+    poses_.push_back ({seconds, world_from_camera});
   }
   const std::vector<io::TimedPose>&
   poses () const
@@ -92,26 +98,56 @@ private:
 };
 
 void
-runWindow (const Options& options,
-           const Inputs& inputs,
-           int first,
-           int count,
-           Trajectory& trajectory)
+writeAll (Outcome& outcome, const Options& options, bool several)
 {
-  const bool several = inputs.frames() > inputs.window();
-  Outcome outcome = runPipeline (options, inputs, first, count);
   writeOutcome (outcome, options, several);
   if (!options.quiet)
     printSummary (outcome, options.output);
   const Report& report = outcome.lastFlow().report;
   if (!report.converged)
-    complain (std::string ("warning: not converged (") + toString (report.stop_reason) +
-              ") " + report.message);
-  trajectory.add (outcome, inputs);
-  if (inputs.frames() > 2)
-    io::writeTrajectory (
-        (std::filesystem::path (options.output) / "trajectory.txt").string(),
-        trajectory.poses());
+    complain ("warning: frames " + std::to_string (outcome.reference()) + " to " +
+              std::to_string (outcome.indices[outcome.lastTarget()]) +
+              ": not converged (" + toString (report.stop_reason) + ")" +
+              (report.message.empty() ? "" : " ") + report.message);
+}
+
+void
+writePoses (const Trajectory& trajectory, const Options& options)
+{
+  io::writeTrajectory (
+      (std::filesystem::path (options.output) / "trajectory.txt").string(),
+      trajectory.poses());
+}
+
+/** Windows that share a frame. */
+void
+runWindows (const Options& options, const Inputs& inputs)
+{
+  Trajectory trajectory;
+  const bool several = inputs.frames() > inputs.window();
+  const int step = inputs.window() - 1;
+  for (int first = 0; first + 1 < inputs.frames(); first += step) {
+    const int count = std::min (inputs.window(), inputs.frames() - first);
+    Outcome outcome = runPipeline (options, inputs, first, count);
+    writeAll (outcome, options, several);
+    trajectory.add (outcome, inputs);
+    if (inputs.frames() > 2)
+      writePoses (trajectory, options);
+  }
+}
+
+void
+runTracking (const Options& options, const Inputs& inputs)
+{
+  Trajectory trajectory;
+  Tracking tracking (options, inputs);
+  for (int frame = 0; frame < inputs.frames(); ++frame) {
+    Outcome outcome = tracking.next();
+    if (frame > 0)
+      writeAll (outcome, options, true);
+    trajectory.add (inputs.timestamp (frame), tracking.cameraPose());
+    writePoses (trajectory, options);
+  }
 }
 
 int
@@ -125,14 +161,10 @@ run (Options options)
                          .string() +
                      "_scene_flow";
   io::makeFolder (options.output);
-  Trajectory trajectory;
-  const int step = inputs.window() - 1; // windows share a frame
-  for (int first = 0; first + 1 < inputs.frames(); first += step)
-    runWindow (options,
-               inputs,
-               first,
-               std::min (inputs.window(), inputs.frames() - first),
-               trajectory);
+  if (options.track)
+    runTracking (options, inputs);
+  else
+    runWindows (options, inputs);
   return 0;
 }
 

@@ -105,6 +105,10 @@ checkInputs (const Options& options)
     throw UsageError ("--window: must be 0 or at least 2");
   if (options.reference < 0)
     throw UsageError ("--reference: must be >= 0");
+  if (options.track && (options.reference > 0 || !options.labels.empty()))
+    throw UsageError ("--track: not together with --reference or --labels");
+  if (options.track && options.window > 16)
+    throw UsageError ("--window: must be at most 16 with --track");
 }
 
 template <typename Parameters>
@@ -152,7 +156,7 @@ printHelp (const char* program)
   print_info ("    or: %s --cloud A.pcd --cloud B.pcd [--camera FX,FY,CX,CY] --output "
               "DIR\n",
               program);
-  print_info ("    or: %s FOLDER [--window N] [--output DIR]\n", program);
+  print_info ("    or: %s FOLDER [--window N] [--track] [--output DIR]\n", program);
   print_info ("Give --color, --depth or --cloud once a frame, in the order of time. "
               "FOLDER is a recording:\ncolor_K.png, depth_K.png and camera.txt, or one "
               "of the data sets' layouts (TUM RGB-D, ...).\n");

@@ -29,6 +29,7 @@ struct Options {
   int window{0};                  ///< frames solved jointly; 0 = all files, or 4
   int reference{0};               ///< place in the window
   bool rigid{false};              ///< the whole scene is one body
+  bool track{false};              ///< frame by frame, the reference is kept
   std::optional<PinholeCamera> camera;
   std::optional<double> depth_scale; ///< units per metre
   std::string output;                ///< folder; empty with a sequence = named after it

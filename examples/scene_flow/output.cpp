@@ -47,7 +47,7 @@ writeWindow (const Outcome& o, bool several, const std::filesystem::path& folder
     return;
   const std::string name = several ? "poses_" + reference : "poses";
   for (const char* type : {".yaml", ".json"})
-    io::writePoses ((folder / (name + type)).string(), o.result, o.first);
+    io::writePoses ((folder / (name + type)).string(), o.result, o.indices);
 }
 
 } // namespace
@@ -56,7 +56,7 @@ std::string
 pairName (const Outcome& outcome, int frame)
 {
   return "_" + std::to_string (outcome.reference()) + "_" +
-         std::to_string (outcome.first + frame);
+         std::to_string (outcome.indices[frame]);
 }
 
 void
@@ -66,7 +66,7 @@ writeOutcome (Outcome& outcome, const Options& options, bool several)
   const std::filesystem::path folder = options.output;
   const int count = static_cast<int> (outcome.result.frames.size());
   writeWindow (outcome, several, folder);
-  for (int k = 0; k < count; ++k)
+  for (int k = outcome.first_new; k < count; ++k)
     if (k != outcome.result.reference) {
       writeData (outcome, k, folder);
       writePictures (outcome, k, options, several);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <future>
+#include <numeric>
 
 namespace pcl_msf::tool {
 
@@ -59,15 +60,22 @@ Outcome::lastTarget() const
   return result.reference == last ? last - 1 : last;
 }
 
-Outcome
-runPipeline (const Options& options, const Inputs& inputs, int first, int count)
+void
+limitThreads (const Options& options)
 {
   if (options.solver.threads > 0)
     cv::setNumThreads (
         std::min (static_cast<int> (options.solver.threads), cv::getNumberOfCPUs()));
+}
+
+Outcome
+runPipeline (const Options& options, const Inputs& inputs, int first, int count)
+{
+  limitThreads (options);
   ProgressLine line (!options.quiet);
   Outcome outcome;
-  outcome.first = first;
+  outcome.indices.resize (count);
+  std::iota (outcome.indices.begin(), outcome.indices.end(), first);
   StopWatch total, watch;
   line.stage ("load");
   outcome.images = inputs.load (first, count);

@@ -15,16 +15,18 @@ namespace pcl_msf::tool {
 
 /** \brief What the output of one window is made of. */
 struct Outcome {
-  int first{0}; ///< index of the window's frame 0 in the recording
+  std::vector<int> indices; ///< per frame of the window, its place in the recording
   MultiframeSceneFlow result;
-  std::vector<io::RgbdImages> images; ///< as loaded, per frame of the window
+  std::vector<io::RgbdImages>
+      images; ///< as loaded, per frame of the window; empty where not needed
   io::RunSeconds seconds;
+  int first_new{0}; ///< results of the frames before this one are written already
 
   /** \brief Index in the recording of the frame whose points are followed. */
   int
   reference () const
   {
-    return first + result.reference;
+    return indices[result.reference];
   }
   /** \brief The last frame of the window that is a target, and its result. */
   int
@@ -35,6 +37,10 @@ struct Outcome {
     return result.frames[lastTarget()];
   }
 };
+
+/** \brief Threads of libraries, as the options want them. */
+void
+limitThreads (const Options& options);
 
 /** \brief From files to the result of the window that begins at a frame.
  * \throws IoError, InvalidInput, UsageError, Interrupted */

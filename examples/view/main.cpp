@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <memory>
 
 namespace {
 
@@ -70,7 +71,8 @@ makeSolver (const RenderOptions& options)
 int
 run (const RenderOptions& options)
 {
-  const std::string problem = visualization::displayProblem();
+  std::shared_ptr<void> display; // is there as long as the window
+  const std::string problem = visualization::displayProblem (&display);
   if (!problem.empty())
     throw CommandLineError (problem + "; a live window needs one; pcl_msf_render makes "
                                       "pictures without");

@@ -27,6 +27,7 @@ constexpr int kMilliseconds = 40;       ///< for events between two looks at the
 constexpr double kPlaySeconds = 1.0;    ///< for each pair while playing
 constexpr const char* kCloud = "cloud"; ///< ids in PCLVisualizer
 constexpr const char* kStatus = "status";
+constexpr double kInFront = -2000.0; ///< of arrows, in 2^-16 of the depth's range
 
 /** What a function key shows. */
 struct Mode {
@@ -159,8 +160,13 @@ private:
     arrow_actor_ = nullptr;
     if (arrows_)
       arrow_actor_ = arrowActor (resultScene (PictureKind::Arrows, result).arrows);
-    if (arrow_actor_ != nullptr)
+    if (arrow_actor_ != nullptr) {
+      vtkMapper* mapper =
+          arrow_actor_->GetMapper(); // seen though they lie in the cloud
+      mapper->SetResolveCoincidentTopologyToPolygonOffset();
+      mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters (0.0, kInFront);
       renderer->AddActor (arrow_actor_);
+    }
     shown_ = pair_;
     changed_ = false;
     tell();

@@ -17,7 +17,9 @@ struct MultiframeParameters {
   int max_span{0}; ///< pairs without the reference are left out when their frames are
                    ///< farther apart; 0 = all pairs are used, >= 0
   bool static_background{false}; ///< prior: the largest body is a rigid background that
-                                 ///< segments belong to unless their points object
+                                 ///< segments belong to unless their points object. The
+                                 ///< background's motion gains where it has no texture;
+                                 ///< slow objects without texture are taken for it
 
   bool
   isValid (std::string* why = nullptr) const;

@@ -257,6 +257,7 @@ private:
   adoptIndices ();
 
   std::vector<PointCloudTargetConstPtr> targets_; ///< in the order of time
+  PointCloudSourceConstPtr aligned_;              ///< the last align's source
   int reference_{0};
   MultiframeSceneFlow result_;
   int shown_{0}; ///< frame of the last target, in result_

@@ -5,8 +5,6 @@
 #include <pcl_msf/registration_settings.h>
 #include <pcl_msf/scene_flow_tracker.h>
 
-#include <deque>
-
 namespace pcl_msf {
 
 /** \brief SceneFlowTracker on organized clouds: cloud in, scene flow out.
@@ -70,7 +68,7 @@ public:
   PointCloudConstPtr
   getReferenceCloud () const
   {
-    return clouds_.empty() ? nullptr : clouds_.front();
+    return reference_;
   }
 
   /** \brief The reference carried to the newest cloud, organized; NaN where the motion
@@ -98,7 +96,8 @@ private:
   TrackerParameters parameters_;
   PinholeCamera used_camera_;
   SceneFlowTracker tracker_;
-  std::deque<PointCloudConstPtr> clouds_;
+  PointCloudConstPtr reference_;
+  PointCloudConstPtr newest_; ///< the next reference when the present one is given up
 };
 
 } // namespace pcl_msf

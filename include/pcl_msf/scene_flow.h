@@ -85,6 +85,8 @@ struct IterationRecord {
   double cost{0.0};
   double seconds{0.0};
   EnergyCost terms; ///< of the state after the step, by term
+  int energy{0};    ///< costs compare between steps of the same number only: a level,
+                    ///< rigid bodies' own noise and carried labels begin another energy
 };
 
 /** \brief How a registration went. */

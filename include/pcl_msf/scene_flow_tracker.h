@@ -13,15 +13,18 @@
 
 namespace pcl_msf {
 
+struct KnownStep;
+
 /** \brief How a SceneFlowTracker uses its window. */
 struct TrackerParameters {
-  int window{4};             ///< frames kept and solved jointly, [2, 16]
-  double least_visible{0.5}; ///< share of the reference's points seen in the newest
-                             ///< frame below which the window begins anew, [0, 1]
-  double least_kept{0.6};    ///< share of a new reference's points that carry a segment
-                             ///< below which it is segmented anew, [0, 1]
-  bool merge_segments{false}; ///< segments that moved as one rigid body over a window
-                              ///< become one segment of the next (they never split)
+  int window{4};               ///< frames kept and solved jointly, [2, 16]
+  double least_visible{0.5};   ///< share of the reference's points seen in the newest
+                               ///< frame below which the window begins anew, [0, 1]
+  double least_explained{0.5}; ///< share of the newest frame's points that a segment of
+                               ///< the reference covers below which it begins anew
+  bool merge_segments{false};  ///< segments that moved as one rigid body over a full
+                               ///< window become one, until the reference is given up
+                               ///< (they never split)
 
   bool
   isValid (std::string* why = nullptr) const;
@@ -29,12 +32,16 @@ struct TrackerParameters {
 
 /** \brief Scene flow of an endless sequence: a window slides over it, frame by frame.
  *
- * The oldest frame of the window is the reference. Each new frame is solved jointly
- * with those kept (section 3.1); motions between frames that an earlier window held are
- * where it starts. When the window is full, the oldest frame leaves: its segments are
- * carried to the next one, which becomes the reference, and what they don't cover is
- * segmented. Memory does not grow with the number of frames. Not thread-safe; different
- * trackers are independent.
+ * The oldest frame of the window is the reference: its points and segments are
+ * followed. Each new frame is solved jointly with those kept (section 3.1); motions
+ * between frames that the window held before are where it starts. When the window is
+ * full, the oldest frame beside the reference leaves, so that motion builds up from a
+ * reference that stays. Once the newest frame and the reference show too little of each
+ * other, the newest frame becomes the reference of a new window, with segments of its
+ * own. Windows of two frames go from frame to frame.
+ *
+ * Memory does not grow with the number of frames. Not thread-safe; different trackers
+ * are independent.
  */
 class SceneFlowTracker {
 public:
@@ -47,8 +54,10 @@ public:
                     const MultiframeParameters& multiframe);
 
   /** \brief Takes the next frame; it needs normals. With the first one there is no
-   * motion yet. After an exception the tracker is as before.
-   * \throws InvalidInput when the frame does not fit the ones before (size, colour) */
+   * motion yet. After an exception the tracker is as before, and the next frame may
+   * follow.
+   * \throws InvalidInput when the frame is empty or does not fit the ones before
+   * (size, colour) */
   void
   add (const RgbdFrame& frame);
 
@@ -62,11 +71,17 @@ public:
   {
     return static_cast<int> (frames_.size());
   }
-  /** \brief How many frames were given before the window's first one. */
+  /** \brief How many frames were given before the window's reference. */
   long
   firstFrame () const
   {
-    return first_;
+    return indices_.empty() ? 0 : indices_.front();
+  }
+  /** \brief How many frames were given before a frame of the window. */
+  long
+  frameIndex (int frame) const
+  {
+    return indices_.at (frame);
   }
 
   /** \brief The window's result; frame 0 is its reference. No frames before the second
@@ -96,18 +111,24 @@ public:
 private:
   struct Window {
     std::deque<RgbdFrame> frames;
+    std::vector<long> indices; ///< per frame
+    std::vector<int>
+        former; ///< per frame but the new one, its place in the former window
     Oversegmentation segments;
     std::vector<int> origin; ///< per segment, its number in the former window or -1
     RigidPose world_from_reference;
-    long first;
   };
 
+  Window
+  grow () const;
   Window
   slide () const;
   Window
   beginAnew () const;
   std::vector<int>
   mergedLabels () const;
+  std::vector<KnownStep>
+  knownSteps (const Window& window) const;
   void
   solve (Window window);
   double
@@ -122,10 +143,10 @@ private:
   MultiframeParameters multiframe_;
   std::deque<RgbdFrame> frames_;
   Oversegmentation segments_;
-  cv::Mat carried_; ///< labels of frame 1, by the last result
   MultiframeSceneFlow result_;
   RigidPose world_from_reference_;
-  long first_{0};
+  std::vector<long> indices_; ///< per frame of the window
+  bool explained_{true};      ///< the newest frame, by the reference
 };
 
 } // namespace pcl_msf

@@ -6,7 +6,9 @@
 #include "core/segment_graph.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
+#include <memory>
 #include <numeric>
 
 namespace pcl_msf {
@@ -19,47 +21,62 @@ constexpr double kBorderShare = 0.5; // of points that may land on a neighbour's
 
 class Assignment {
 public:
-  Assignment (const DataTerm& dense,
-              const DataTerm& data,
+  Assignment (const std::vector<PairTerms>& terms,
               const std::vector<SegmentLink>& links,
-              double separation,
-              MotionState& state)
-  : dense_ (dense)
-  , data_ (data)
-  , separation_ (separation)
-  , state_ (state)
-  , neighbors_ (neighborLists (links, data.pixels().segments()))
-  {}
+              const AssignmentRules& rules,
+              MultiFrameState& state);
 
   int
   round (int threads);
-  void
-  dropEmptyBodies ();
 
 private:
   std::vector<int>
   largestBodies () const;
+  DataTerm::Probe
+  probe (int segment, int body) const;
   void
   lookWhoIsSeen (int threads);
+  void
+  mapClaims (int threads);
   double
-  score (int segment, int body, const ClaimMap& claims, double limit) const;
+  takenShare (int segment, int body) const;
+  double
+  score (int segment, int body, double limit) const;
   int
-  choose (int segment, const std::vector<int>& largest, const ClaimMap& claims) const;
+  choose (int segment, const std::vector<int>& candidates) const;
 
-  const DataTerm& dense_;
-  const DataTerm& data_; ///< a sample of it
-  double separation_;
-  MotionState& state_;
+  std::vector<PairTerms> asked_;
+  const AssignmentRules& rules_;
+  MultiFrameState& state_;
+  const int segments_;
   std::vector<std::vector<int>> neighbors_;
-  std::vector<char> seen_; ///< per segment: mostly visible with its present body
+  int largest_{0};                   ///< body
+  std::vector<char> seen_;           ///< per segment: mostly visible with its body
+  std::vector<MotionState> motions_; ///< per asked pair
+  std::vector<std::unique_ptr<ClaimMap>> claims_; ///< likewise, of motions_
 };
+
+Assignment::Assignment (const std::vector<PairTerms>& terms,
+                        const std::vector<SegmentLink>& links,
+                        const AssignmentRules& rules,
+                        MultiFrameState& state)
+: rules_ (rules)
+, state_ (state)
+, segments_ (static_cast<int> (state.body_of.size()))
+, neighbors_ (neighborLists (links, segments_))
+{
+  std::copy_if (terms.begin(),
+                terms.end(),
+                std::back_inserter (asked_),
+                [] (const PairTerms& t) { return t.sample != nullptr; });
+}
 
 std::vector<int>
 Assignment::largestBodies() const
 {
-  std::vector<int> points (state_.poses.size(), 0);
-  for (std::size_t k = 0; k < state_.body_of.size(); ++k)
-    points[state_.body_of[k]] += data_.pixels().size (static_cast<int> (k));
+  std::vector<int> points (state_.bodies(), 0);
+  for (int k = 0; k < segments_; ++k)
+    points[state_.body_of[k]] += asked_.front().sample->pixels().size (k);
   std::vector<int> order (points.size());
   std::iota (order.begin(), order.end(), 0);
   std::stable_sort (
@@ -68,8 +85,35 @@ Assignment::largestBodies() const
   return order;
 }
 
+/** Costs of all asked pairs together; `hidden` is their mean by weight. */
+DataTerm::Probe
+Assignment::probe (int segment, int body) const
+{
+  DataTerm::Probe sum;
+  for (const PairTerms& pair : asked_) {
+    const DataTerm::Probe one =
+        pair.sample->probe (segment, state_.poses[pair.pair][body]);
+    sum.cost += one.cost;
+    sum.weight += one.weight;
+    sum.hidden += one.hidden * one.weight;
+  }
+  sum.hidden = sum.weight > 0.0 ? sum.hidden / sum.weight : 1.0;
+  return sum;
+}
+
+/** Mean over the pairs of what ClaimMap calls taken, beyond borders. */
 double
-Assignment::score (int segment, int body, const ClaimMap& claims, double limit) const
+Assignment::takenShare (int segment, int body) const
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < asked_.size(); ++i)
+    sum += std::max (
+        0.0, claims_[i]->takenShare (*asked_[i].sample, segment, body) - kBorderShare);
+  return sum / ((1.0 - kBorderShare) * static_cast<double> (asked_.size()));
+}
+
+double
+Assignment::score (int segment, int body, double limit) const
 {
   const auto& near = neighbors_[segment];
   int others = 0;
@@ -81,22 +125,18 @@ Assignment::score (int segment, int body, const ClaimMap& claims, double limit) 
   }
   const double share =
       static_cast<double> (others) / std::max<std::size_t> (1, near.size());
-  const DataTerm::Probe probe = data_.probe (segment, state_.poses[body]);
-  const double hidden = supported ? 0.0 : probe.hidden * data_.unsupportedCost();
-  const double sum =
-      probe.cost / std::max (probe.weight, 1e-12) + hidden + separation_ * share;
-  if (sum >= limit)
-    return sum;
-  const double taken =
-      std::max (0.0, claims.takenShare (data_, segment, body) - kBorderShare) /
-      (1.0 - kBorderShare);
-  return sum + taken * data_.rules().conflict_cost;
+  const DataTerm& sample = *asked_.front().sample;
+  const DataTerm::Probe p = probe (segment, body);
+  const double hidden = supported ? 0.0 : p.hidden * sample.unsupportedCost();
+  const double sum = p.cost / std::max (p.weight, 1e-12) + hidden +
+                     rules_.separation * share +
+                     (body == largest_ ? 0.0 : rules_.background);
+  return sum >= limit ? sum
+                      : sum + takenShare (segment, body) * sample.rules().conflict_cost;
 }
 
 int
-Assignment::choose (int segment,
-                    const std::vector<int>& largest,
-                    const ClaimMap& claims) const
+Assignment::choose (int segment, const std::vector<int>& largest) const
 {
   std::vector<int> candidates = largest;
   for (const int n : neighbors_[segment])
@@ -105,10 +145,9 @@ Assignment::choose (int segment,
   candidates.erase (std::unique (candidates.begin(), candidates.end()),
                     candidates.end());
   int best = state_.body_of[segment];
-  double lowest =
-      score (segment, best, claims, std::numeric_limits<double>::infinity());
+  double lowest = score (segment, best, std::numeric_limits<double>::infinity());
   for (const int body : candidates) {
-    const double s = score (segment, body, claims, lowest);
+    const double s = score (segment, body, lowest);
     if (s < lowest) {
       lowest = s;
       best = body;
@@ -120,67 +159,77 @@ Assignment::choose (int segment,
 void
 Assignment::lookWhoIsSeen (int threads)
 {
-  const int segments = static_cast<int> (state_.body_of.size());
-  seen_.assign (segments, 0);
+  seen_.assign (segments_, 0);
 #pragma omp parallel for schedule(dynamic, 8) num_threads(threads)
-  for (int k = 0; k < segments; ++k)
-    seen_[k] = data_.probe (k, state_.poseOf (k)).hidden < kMostlyHidden;
+  for (int k = 0; k < segments_; ++k)
+    seen_[k] = probe (k, state_.body_of[k]).hidden < kMostlyHidden;
+}
+
+void
+Assignment::mapClaims (int threads)
+{
+  const int pairs = static_cast<int> (asked_.size());
+  motions_.clear();
+  for (const PairTerms& pair : asked_)
+    motions_.push_back (state_.ofPair (pair.pair));
+  claims_.resize (pairs);
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+  for (int i = 0; i < pairs; ++i)
+    claims_[i] = std::make_unique<ClaimMap> (*asked_[i].all, motions_[i]);
 }
 
 int
 Assignment::round (int threads)
 {
   const std::vector<int> largest = largestBodies();
+  largest_ = largest.front();
   lookWhoIsSeen (threads);
-  const ClaimMap claims (dense_, state_);
-  std::vector<int> next (state_.body_of.size());
-  const int segments = static_cast<int> (next.size());
+  mapClaims (threads);
+  std::vector<int> next (segments_);
   int changes = 0;
 #pragma omp parallel for schedule(dynamic, 8) num_threads(threads) reduction(+ : changes)
-  for (int k = 0; k < segments; ++k) {
-    next[k] = choose (k, largest, claims);
+  for (int k = 0; k < segments_; ++k) {
+    next[k] = choose (k, largest);
     changes += next[k] != state_.body_of[k] ? 1 : 0;
   }
   state_.body_of.swap (next);
   return changes;
 }
 
-void
-Assignment::dropEmptyBodies()
-{
-  std::vector<int> index (state_.poses.size(), -1);
-  std::vector<RigidPose> poses;
-  for (int& body : state_.body_of) {
-    if (index[body] < 0) {
-      index[body] = static_cast<int> (poses.size());
-      poses.push_back (state_.poses[body]);
-    }
-    body = index[body];
-  }
-  state_.poses.swap (poses);
-}
-
 } // namespace
 
 int
-reassignBodies (const DataTerm& dense,
-                const DataTerm& data,
+reassignBodies (const std::vector<PairTerms>& terms,
                 const std::vector<SegmentLink>& links,
-                double separation,
-                int rounds,
+                const AssignmentRules& rules,
                 int threads,
-                MotionState& state)
+                MultiFrameState& state)
 {
-  Assignment assignment (dense, data, links, separation, state);
+  Assignment assignment (terms, links, rules, state);
   int total = 0;
-  for (int i = 0; i < rounds; ++i) {
+  for (int i = 0; i < rules.rounds; ++i) {
     const int changes = assignment.round (threads);
     total += changes;
     if (changes == 0)
       break;
   }
-  assignment.dropEmptyBodies();
+  state.renumberBodies();
   return total;
+}
+
+int
+reassignBodies (const DataTerm& dense,
+                const DataTerm& data,
+                const std::vector<SegmentLink>& links,
+                const AssignmentRules& rules,
+                int threads,
+                MotionState& state)
+{
+  MultiFrameState window (state);
+  const int changes =
+      reassignBodies ({{0, &dense, &data, 1.0}}, links, rules, threads, window);
+  state = window.ofPair (0);
+  return changes;
 }
 
 } // namespace pcl_msf

@@ -2,12 +2,20 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "core/data_term.h"
-#include "core/motion_state.h"
+#include "core/multi_frame_state.h"
+#include "core/pair_terms.h"
 
 #include <vector>
 
 namespace pcl_msf {
+
+/** \brief How segments choose among bodies. */
+struct AssignmentRules {
+  double separation{0.25}; ///< mean cost per residual that leaving all neighbours costs
+  double background{0.0};  ///< mean cost that leaving the largest body costs; 0 = no
+                           ///< prior
+  int rounds{3};
+};
 
 /** \brief Lets segments change to another body's motion where their points do not
  * object: what finds the way home for segments that were lost, hidden or too small.
@@ -17,14 +25,22 @@ namespace pcl_msf {
  * links that lead to other bodies. All decide at once, so that the outcome does not
  * depend on the order. Bodies without segments disappear. A place that most of a
  * segment's points would take from a larger body costs up to a conflict more
- * (ClaimMap). \param dense all points, which claim their places \param data a sample of
- * them, or all \return how many changed */
+ * (ClaimMap). In a window only the pairs from the reference are asked: the points of
+ * the others are where the present motion put them. \return how many changed */
+int
+reassignBodies (const std::vector<PairTerms>& terms,
+                const std::vector<SegmentLink>& links,
+                const AssignmentRules& rules,
+                int threads,
+                MultiFrameState& state);
+
+/** \brief The same for two frames. \param dense all points, which claim their places
+ * \param data a sample of them, or all */
 int
 reassignBodies (const DataTerm& dense,
                 const DataTerm& data,
                 const std::vector<SegmentLink>& links,
-                double separation,
-                int rounds,
+                const AssignmentRules& rules,
                 int threads,
                 MotionState& state);
 

@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <queue>
 #include <set>
@@ -14,40 +15,91 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kLargest = 6; // bodies that every other one may join
+constexpr int kLargest = 6;        // bodies that every other one may join
+constexpr double kRounding = 1e-6; // of sums of single-precision products, relative
 
-/** E (x) = 1/2 x' A x - h' x + const over the six pose parameters. */
-struct BodyQuadratic {
+/** E (x) = 1/2 x' A x - h' x + const over a pair's six pose parameters. */
+struct PoseQuadratic {
   Matrix6 a{Matrix6::Zero()};
   Vector6 h{Vector6::Zero()};
-  Vector6 prior{Vector6::Zero()}; ///< where to stay when A does not decide
-  int points{0};
-  double minimum{0.0};
-  Vector6 best{Vector6::Zero()};
-  int version{0};
-  bool alive{false}; ///< has segments and was not merged into another
-  std::set<int> neighbors;
+  Vector6 best{Vector6::Zero()}; ///< its minimum, near the prior where A says nothing
 
-  void
-  solve ()
+  /** \return the minimum's energy */
+  double
+  solve (const Vector6& prior)
   {
     Matrix6 m = a;
-    const double ridge = 1e-9 * a.trace() + 1e-15;
+    const double ridge = kRounding * a.trace() + 1e-15;
     m.diagonal().array() += ridge;
-    const Vector6 rhs = h + ridge * prior;
-    best = m.ldlt().solve (rhs);
-    minimum = 0.5 * best.dot (a * best) - h.dot (best);
+    best = m.ldlt().solve (h + ridge * prior);
+    return 0.5 * best.dot (a * best) - h.dot (best);
   }
 };
 
+/** A body's quadratics in all pairs. */
+struct BodyQuadratics {
+  std::vector<PoseQuadratic> pairs;
+  int points{0};
+  double minimum{0.0};
+  int version{0};
+  bool alive{false}; ///< has segments and was not merged into another
+  std::set<int> neighbors;
+};
+
+PoseQuadratic
+sum (const PoseQuadratic& a, const PoseQuadratic& b)
+{
+  PoseQuadratic result;
+  result.a = a.a + b.a;
+  result.h = a.h + b.h;
+  return result;
+}
+
+BodyQuadratics
+sum (const BodyQuadratics& a, const BodyQuadratics& b)
+{
+  BodyQuadratics result;
+  result.alive = true;
+  result.points = a.points + b.points;
+  const BodyQuadratics& larger = a.points >= b.points ? a : b;
+  for (std::size_t p = 0; p < a.pairs.size(); ++p) {
+    result.pairs.push_back (sum (a.pairs[p], b.pairs[p]));
+    result.minimum += result.pairs.back().solve (larger.pairs[p].best);
+  }
+  return result;
+}
+
+/** How much one common motion costs more than two. */
+double
+increase (const BodyQuadratics& a, const BodyQuadratics& b)
+{
+  const BodyQuadratics& larger = a.points >= b.points ? a : b;
+  double minimum = 0.0;
+  for (std::size_t p = 0; p < a.pairs.size(); ++p)
+    minimum += sum (a.pairs[p], b.pairs[p]).solve (larger.pairs[p].best);
+  return minimum - a.minimum - b.minimum;
+}
+
+/** Points of the segments themselves, not of what was carried to other frames. */
+const SegmentPixels&
+referencePoints (const std::vector<PairTerms>& terms)
+{
+  const auto from_reference =
+      std::find_if (terms.begin(), terms.end(), [] (const PairTerms& t) {
+        return t.sample != nullptr;
+      });
+  return from_reference->all->pixels();
+}
+
 class Merger {
 public:
-  Merger (const DataTerm& data,
+  Merger (const std::vector<PairTerms>& terms,
+          int frames,
           const std::vector<SegmentLink>& links,
           const MergeRules& rules,
-          const MotionState& state);
+          MultiFrameState& state);
 
-  MotionState
+  void
   run ();
 
 private:
@@ -63,8 +115,10 @@ private:
     }
   };
 
-  static BodyQuadratic
-  sum (const BodyQuadratic& a, const BodyQuadratic& b);
+  void
+  addPair (const PairTerms& terms);
+  void
+  connect (const std::vector<SegmentLink>& links);
   void
   consider (int a, int b);
   void
@@ -73,39 +127,66 @@ private:
   mergeQueued ();
   bool
   considerLargest ();
+  void
+  writeBack ();
 
-  MergeRules rules_;
-  MotionState state_;
-  std::vector<BodyQuadratic> bodies_;
+  const std::vector<PairTerms>& terms_;
+  const double strictness_; ///< of the allowances
+  const MergeRules rules_;
+  MultiFrameState& state_;
+  std::vector<BodyQuadratics> bodies_;
   std::vector<int> joined_; ///< body -> the one that it went into
   std::priority_queue<Edge> queue_;
 };
 
-Merger::Merger (const DataTerm& data,
+Merger::Merger (const std::vector<PairTerms>& terms,
+                int frames,
                 const std::vector<SegmentLink>& links,
                 const MergeRules& rules,
-                const MotionState& state)
-: rules_ (rules)
+                MultiFrameState& state)
+: terms_ (terms)
+, strictness_ (std::sqrt (frames - 1.0))
+, rules_ (rules)
 , state_ (state)
-, bodies_ (state.poses.size())
-, joined_ (state.poses.size())
+, bodies_ (state.bodies())
+, joined_ (state.bodies())
 {
   std::iota (joined_.begin(), joined_.end(), 0);
-  for (std::size_t b = 0; b < bodies_.size(); ++b)
-    bodies_[b].prior = Eigen::Map<const Vector6> (state.poses[b].parameters.data());
+  for (const PairTerms& pair : terms)
+    addPair (pair);
+  const SegmentPixels& pixels = referencePoints (terms);
   for (std::size_t k = 0; k < state.body_of.size(); ++k) {
-    BodyQuadratic& body = bodies_[state.body_of[k]];
-    const SegmentQuadratic& q = data.of (static_cast<int> (k));
-    body.a += q.information;
-    body.h += q.information * body.prior - q.gradient;
-    body.points += data.pixels().size (static_cast<int> (k));
-    body.alive = true;
+    bodies_[state.body_of[k]].points += pixels.size (static_cast<int> (k));
+    bodies_[state.body_of[k]].alive = true;
   }
-  for (BodyQuadratic& body : bodies_)
-    body.solve();
+  connect (links);
+}
+
+void
+Merger::addPair (const PairTerms& terms)
+{
+  const auto& poses = state_.poses[terms.pair];
+  for (BodyQuadratics& body : bodies_)
+    body.pairs.emplace_back();
+  for (std::size_t k = 0; k < state_.body_of.size(); ++k) {
+    const int b = state_.body_of[k];
+    const Eigen::Map<const Vector6> pose (poses[b].parameters.data());
+    const SegmentQuadratic& q = terms.all->of (static_cast<int> (k));
+    PoseQuadratic& body = bodies_[b].pairs.back();
+    body.a += terms.residual_scale * q.information;
+    body.h += terms.residual_scale * (q.information * pose - q.gradient);
+  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    bodies_[b].minimum += bodies_[b].pairs.back().solve (
+        Eigen::Map<const Vector6> (poses[b].parameters.data()));
+}
+
+void
+Merger::connect (const std::vector<SegmentLink>& links)
+{
   for (const SegmentLink& link : links) {
-    const int a = state.body_of[link.first];
-    const int b = state.body_of[link.second];
+    const int a = state_.body_of[link.first];
+    const int b = state_.body_of[link.second];
     if (a == b)
       continue;
     bodies_[a].neighbors.insert (b);
@@ -117,37 +198,23 @@ Merger::Merger (const DataTerm& data,
         consider (static_cast<int> (a), b);
 }
 
-BodyQuadratic
-Merger::sum (const BodyQuadratic& a, const BodyQuadratic& b)
-{
-  BodyQuadratic result;
-  result.alive = true;
-  result.a = a.a + b.a;
-  result.h = a.h + b.h;
-  result.points = a.points + b.points;
-  result.prior = a.points >= b.points ? a.best : b.best;
-  result.solve();
-  return result;
-}
-
 void
 Merger::consider (int a, int b)
 {
-  const BodyQuadratic& first = bodies_[a];
-  const BodyQuadratic& second = bodies_[b];
-  const double increase =
-      (sum (first, second).minimum - first.minimum - second.minimum) *
-      rules_.residual_scale;
+  const BodyQuadratics& first = bodies_[a];
+  const BodyQuadratics& second = bodies_[b];
+  const double costs = increase (first, second);
   const double allowed =
-      rules_.allowance + rules_.per_point * std::min (first.points, second.points);
-  if (increase < allowed)
-    queue_.push ({increase, a, b, first.version, second.version});
+      strictness_ *
+      (rules_.allowance + rules_.per_point * std::min (first.points, second.points));
+  if (costs < allowed)
+    queue_.push ({costs, a, b, first.version, second.version});
 }
 
 void
 Merger::merge (int a, int b)
 {
-  BodyQuadratic merged = sum (bodies_[a], bodies_[b]);
+  BodyQuadratics merged = sum (bodies_[a], bodies_[b]);
   merged.version = bodies_[a].version + 1;
   merged.neighbors = bodies_[a].neighbors;
   merged.neighbors.insert (bodies_[b].neighbors.begin(), bodies_[b].neighbors.end());
@@ -188,47 +255,59 @@ Merger::mergeQueued()
   while (!queue_.empty()) {
     const Edge e = queue_.top();
     queue_.pop();
-    const BodyQuadratic& first = bodies_[e.first];
-    const BodyQuadratic& second = bodies_[e.second];
+    const BodyQuadratics& first = bodies_[e.first];
+    const BodyQuadratics& second = bodies_[e.second];
     if (first.alive && second.alive && first.version == e.first_version &&
         second.version == e.second_version)
       merge (e.first, e.second);
   }
 }
 
-MotionState
+void
+Merger::writeBack()
+{
+  for (int& body : state_.body_of)
+    while (joined_[body] != body)
+      body = joined_[body];
+  const std::vector<int> before = state_.renumberBodies();
+  for (std::size_t b = 0; b < before.size(); ++b)
+    if (bodies_[before[b]].version > 0)
+      for (std::size_t p = 0; p < terms_.size(); ++p)
+        Eigen::Map<Vector6> (state_.poses[terms_[p].pair][b].parameters.data()) =
+            bodies_[before[b]].pairs[p].best;
+}
+
+void
 Merger::run()
 {
   mergeQueued();
   while (considerLargest())
     mergeQueued();
-  MotionState result = state_;
-  result.poses.clear();
-  std::vector<int> index (bodies_.size(), -1);
-  for (int& body : result.body_of) {
-    while (joined_[body] != body)
-      body = joined_[body];
-    if (index[body] < 0) {
-      index[body] = static_cast<int> (result.poses.size());
-      RigidPose pose = state_.poses[body];
-      if (bodies_[body].version > 0)
-        Eigen::Map<Vector6> (pose.parameters.data()) = bodies_[body].best;
-      result.poses.push_back (pose);
-    }
-    body = index[body];
-  }
-  return result;
+  writeBack();
 }
 
 } // namespace
 
+void
+mergeBodies (const std::vector<PairTerms>& terms,
+             int frames,
+             const std::vector<SegmentLink>& links,
+             const MergeRules& rules,
+             MultiFrameState& state)
+{
+  Merger (terms, frames, links, rules, state).run();
+}
+
 MotionState
 mergeBodies (const DataTerm& data,
+             double residual_scale,
              const std::vector<SegmentLink>& links,
              const MergeRules& rules,
              const MotionState& state)
 {
-  return Merger (data, links, rules, state).run();
+  MultiFrameState window (state);
+  mergeBodies ({{0, &data, &data, residual_scale}}, 2, links, rules, window);
+  return window.ofPair (0);
 }
 
 } // namespace pcl_msf

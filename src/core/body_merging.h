@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "core/data_term.h"
-#include "core/motion_state.h"
+#include "core/multi_frame_state.h"
+#include "core/pair_terms.h"
 
 #include <vector>
 
@@ -11,21 +11,33 @@ namespace pcl_msf {
 
 /** \brief How unequal two bodies' motions may be and still count as one. */
 struct MergeRules {
-  double residual_scale; ///< energy times this = sum of 1/2 (residual / sigma)^2
-  double allowance;      ///< increase allowed per merge, in those units
-  double per_point;      ///< further increase per point of the smaller body
+  double allowance{10.0}; ///< increase allowed per merge, in halved squared deviations
+  double per_point{0.08}; ///< further increase per point of the smaller body
 };
 
 /** \brief Joins bodies that move as one (the paper: updates only merge, never split).
  *
  * Agglomerative, along the links, then also with the few largest bodies, linked or not:
- * two bodies merge when the sum of their quadratics, minimized over one common pose,
- * lies no more than allowed above the sum of their own minima - a chi-square test on
- * their pose difference with their information matrices.
- * \param data linearized at the state
- * \return the state with merged bodies at the common poses */
+ * two bodies merge when the sum of their quadratics, minimized over one common pose per
+ * pair of frames, lies no more than allowed above the sum of their own minima - a
+ * chi-square test on their pose differences with their information matrices. Allowances
+ * grow with the root of the number of motions, one less than the frames: pairs share
+ * their frames' noise.
+ * \param terms of the pairs of frames that take part; their poses in the merged state
+ * are the common ones, other pairs keep those of one of the bodies
+ * \param frames of the window, two or more */
+void
+mergeBodies (const std::vector<PairTerms>& terms,
+             int frames,
+             const std::vector<SegmentLink>& links,
+             const MergeRules& rules,
+             MultiFrameState& state);
+
+/** \brief The same for two frames. \param data linearized at the state
+ * \param residual_scale see PairTerms */
 MotionState
 mergeBodies (const DataTerm& data,
+             double residual_scale,
              const std::vector<SegmentLink>& links,
              const MergeRules& rules,
              const MotionState& state);

@@ -67,12 +67,12 @@ sharpness (std::vector<float>& sizes, double limit)
 } // namespace
 
 void
-sharpenRigidBodies (const DataTerm& data,
-                    const MotionState& state,
+sharpenRigidBodies (const std::vector<PairTerms>& terms,
+                    const MultiFrameState& state,
                     int threads,
                     SegmentPixels& pixels)
 {
-  std::vector<std::vector<int>> segments (state.poses.size());
+  std::vector<std::vector<int>> segments (state.bodies());
   for (std::size_t k = 0; k < state.body_of.size(); ++k)
     segments[state.body_of[k]].push_back (static_cast<int> (k));
   const int bodies = static_cast<int> (segments.size());
@@ -84,9 +84,13 @@ sharpenRigidBodies (const DataTerm& data,
     for (const int k : segments[b])
       points += pixels.size (k);
     Residuals residuals;
-    for (const int k : segments[b])
-      addResiduals (
-          data, state.poses[b], k, std::max (1, points / kSamples), residuals);
+    for (const PairTerms& pair : terms)
+      for (const int k : segments[b])
+        addResiduals (*pair.all,
+                      state.poses[pair.pair][b],
+                      k,
+                      std::max (1, points / kSamples),
+                      residuals);
     const float brightness = sharpness (residuals.brightness, kMostBrightness);
     const float icp = sharpness (residuals.icp, kMostIcp);
     for (const int k : segments[b])
@@ -95,6 +99,16 @@ sharpenRigidBodies (const DataTerm& data,
         pixels.icp_scale[i] *= icp;
       }
   }
+}
+
+void
+sharpenRigidBodies (const DataTerm& data,
+                    const MotionState& state,
+                    int threads,
+                    SegmentPixels& pixels)
+{
+  sharpenRigidBodies (
+      {{0, &data, nullptr, 1.0}}, MultiFrameState (state), threads, pixels);
 }
 
 } // namespace pcl_msf

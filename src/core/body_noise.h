@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "core/data_term.h"
-#include "core/motion_state.h"
+#include "core/multi_frame_state.h"
+#include "core/pair_terms.h"
 #include "core/segment_pixels.h"
 
 namespace pcl_msf {
@@ -13,7 +13,15 @@ namespace pcl_msf {
  * The noise model allows for what rigid segments leave unexplained on soft surfaces. A
  * body of many segments is truly rigid, so that its residuals show the noise alone:
  * both scales are divided by the median size of their residuals, if that is smaller
- * than the model says. \param data of `pixels`, linearized at the state */
+ * than the model says. \param terms of `pixels`, in pairs of frames that they start
+ * \param pixels of one frame: the reference or one that segments were carried to */
+void
+sharpenRigidBodies (const std::vector<PairTerms>& terms,
+                    const MultiFrameState& state,
+                    int threads,
+                    SegmentPixels& pixels);
+
+/** \brief The same for two frames. \param data of `pixels` */
 void
 sharpenRigidBodies (const DataTerm& data,
                     const MotionState& state,

@@ -10,27 +10,14 @@
 namespace pcl_msf {
 
 JointProblem::JointProblem (JointEnergy& energy, MotionState& state)
-: energy_ (energy)
-, state_ (state)
-, segments_of_ (state.poses.size())
-, blocks_ (state.poses.size())
+: energy_ (energy), state_ (state), blocks_ (state.body_of, state.poses.size())
 {
-  for (std::size_t k = 0; k < state.body_of.size(); ++k)
-    segments_of_[state.body_of[k]].push_back (static_cast<int> (k));
   ceres::Problem::Options options;
   options.evaluation_callback = this;
   options.disable_all_safety_checks = true;
   problem_ = std::make_unique<ceres::Problem> (options);
-  addBodies();
+  blocks_.addTo (*problem_, state.poses);
   addLinks();
-}
-
-void
-JointProblem::addBodies()
-{
-  for (std::size_t b = 0; b < blocks_.size(); ++b)
-    problem_->AddResidualBlock (
-        new SegmentBlockCost (blocks_[b]), nullptr, state_.poses[b].parameters.data());
 }
 
 void
@@ -67,22 +54,7 @@ JointProblem::PrepareForEvaluation (bool evaluate_jacobians, bool)
   if (!linearized_ || !evaluate_jacobians)
     data.sweep (state_, evaluate_jacobians ? jacobian_pass : Pass::Cost);
   linearized_ = false;
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    Matrix6 information = Matrix6::Zero();
-    Vector6 gradient = Vector6::Zero();
-    double cost = 0.0;
-    for (const int k : segments_of_[b]) {
-      cost += data.of (k).cost();
-      if (evaluate_jacobians) {
-        information += data.of (k).information;
-        gradient += data.of (k).gradient;
-      }
-    }
-    if (evaluate_jacobians)
-      blocks_[b].set (information, gradient, cost);
-    else
-      blocks_[b].setCost (cost);
-  }
+  blocks_.fill (data, evaluate_jacobians);
 }
 
 } // namespace pcl_msf

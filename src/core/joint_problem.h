@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/body_blocks.h"
 #include "core/joint_solver.h"
-#include "core/segment_block.h"
 #include <ceres/evaluation_callback.h>
 #include <ceres/problem.h>
 
@@ -48,14 +48,11 @@ public:
 
 private:
   void
-  addBodies ();
-  void
   addLinks ();
 
   JointEnergy& energy_;
   MotionState& state_;
-  std::vector<std::vector<int>> segments_of_; ///< per body
-  std::vector<CompressedBlock> blocks_;       ///< per body
+  BodyBlocks blocks_;
   std::unique_ptr<ceres::Problem> problem_;
   bool keep_{false};
   bool linearized_{false};

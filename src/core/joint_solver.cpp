@@ -2,10 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/joint_solver.h"
 
-#include "core/ceres_options.h"
 #include "core/joint_problem.h"
 #include "core/pose_coupling.h"
-#include "core/terms_callback.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,31 +86,12 @@ JointEnergy::presentCost (const MotionState& state) const
   return cost;
 }
 
-JointEnergy::Outcome
+SolveOutcome
 JointEnergy::minimize (const SolverParameters& solver,
                        SolveMonitor& monitor,
                        MotionState& state)
 {
-  Outcome outcome;
-  relaxWeights (state);
-  outcome.initial = evaluate (state);
-  JointProblem problem (*this, state);
-  problem.startsLinearized();
-  MonitorCallback callback (monitor);
-  ceres::Solver::Options options = ceresOptions (solver, monitor);
-  monitor.noteTerms (outcome.initial);
-  TermsCallback terms (monitor, *this, state);
-  options.update_state_every_iteration = true; // for the terms
-  options.callbacks = {&terms, &callback};
-  ceres::Solver::Summary summary;
-  if (solver.max_iterations > 0 && !monitor.stopped())
-    ceres::Solve (options, &problem.problem(), &summary);
-  relaxWeights (state);
-  outcome.final = evaluate (state);
-  outcome.iterations = static_cast<int> (summary.iterations.size());
-  outcome.converged = summary.termination_type == ceres::CONVERGENCE;
-  outcome.failed = summary.termination_type == ceres::FAILURE && outcome.iterations > 0;
-  return outcome;
+  return minimizeEnergy<JointProblem> (*this, state, solver, monitor);
 }
 
 } // namespace pcl_msf

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/data_term.h"
+#include "core/energy_solve.h"
 #include "core/motion_state.h"
-#include "core/solve_monitor.h"
 #include <pcl_msf/parameters.h>
 #include <pcl_msf/scene_flow.h>
 
@@ -23,18 +23,9 @@ public:
   : data_ (data), links_ (links), parameters_ (parameters), focal_length_ (focal_length)
   {}
 
-  /** \brief How a Ceres solve ended. */
-  struct Outcome {
-    EnergyCost initial;
-    EnergyCost final;
-    int iterations{0};
-    bool converged{false};
-    bool failed{false};
-  };
-
   /** \brief Minimizes over poses and weights from the given state (section 3.2);
    * correspondences are renewed after every successful step. */
-  Outcome
+  SolveOutcome
   minimize (const SolverParameters& solver, SolveMonitor& monitor, MotionState& state);
 
   /** \brief The energy at a state, by term; linearizes the data term there. */

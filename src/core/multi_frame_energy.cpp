@@ -3,7 +3,6 @@
 #include "core/multi_frame_energy.h"
 
 #include "core/body_shapes.h"
-#include "core/ceres_options.h"
 #include "core/multi_frame_problem.h"
 
 #include <algorithm>
@@ -150,6 +149,12 @@ EnergyCost
 MultiFrameEnergy::evaluate (const MultiFrameState& state)
 {
   level_.sweep (state, DataTerm::Pass::Linearize);
+  return presentCost (state);
+}
+
+EnergyCost
+MultiFrameEnergy::presentCost (const MultiFrameState& state) const
+{
   EnergyCost cost;
   for (const int p : scene_.used)
     for (int k = 0; k < scene_.segments; ++k) {
@@ -183,27 +188,12 @@ MultiFrameEnergy::countResiduals() const
   return counts;
 }
 
-MultiFrameEnergy::Outcome
+SolveOutcome
 MultiFrameEnergy::minimize (const SolverParameters& solver,
                             SolveMonitor& monitor,
                             MultiFrameState& state)
 {
-  Outcome outcome;
-  relaxWeights (state);
-  outcome.initial = evaluate (state);
-  MultiFrameProblem problem (*this, state);
-  MonitorCallback callback (monitor);
-  ceres::Solver::Options options = ceresOptions (solver, monitor);
-  options.callbacks.push_back (&callback);
-  ceres::Solver::Summary summary;
-  if (solver.max_iterations > 0 && !monitor.stopped())
-    ceres::Solve (options, &problem.problem(), &summary);
-  relaxWeights (state);
-  outcome.final = evaluate (state);
-  outcome.iterations = static_cast<int> (summary.iterations.size());
-  outcome.converged = summary.termination_type == ceres::CONVERGENCE;
-  outcome.failed = summary.termination_type == ceres::FAILURE && outcome.iterations > 0;
-  return outcome;
+  return minimizeEnergy<MultiFrameProblem> (*this, state, solver, monitor);
 }
 
 } // namespace pcl_msf

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/concatenation_cost.h"
+#include "core/energy_solve.h"
 #include "core/multi_frame_level.h"
 #include "core/pose_coupling.h"
-#include "core/solve_monitor.h"
 #include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/parameters.h>
 #include <pcl_msf/scene_flow.h>
@@ -39,15 +39,7 @@ public:
                     double concatenation_weight,
                     const MultiFrameState& state);
 
-  struct Outcome {
-    EnergyCost initial;
-    EnergyCost final;
-    int iterations{0};
-    bool converged{false};
-    bool failed{false};
-  };
-
-  Outcome
+  SolveOutcome
   minimize (const SolverParameters& solver,
             SolveMonitor& monitor,
             MultiFrameState& state);
@@ -55,6 +47,10 @@ public:
   /** \brief The energy by term; linearizes the data terms at the state. */
   EnergyCost
   evaluate (const MultiFrameState& state);
+
+  /** \brief As evaluate, with the data terms of the last sweep. */
+  EnergyCost
+  presentCost (const MultiFrameState& state) const;
 
   /** \brief Sets every weight to its optimum for the poses of all pairs. */
   void

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/multi_frame_level.h"
 
+#include "core/body_noise.h"
 #include "core/exposure.h"
 
 namespace pcl_msf {
@@ -50,6 +51,19 @@ MultiFrameLevel::MultiFrameLevel (const MultiFrameScene& scene,
     if (pair.from == scene.pairs.reference())
       probe_data_[p] = std::make_unique<DataTerm> (
           probes_, *textures_[pair.to], makeRules (energy, probes_), scene.threads);
+  }
+}
+
+void
+MultiFrameLevel::sharpenRigidBodies (const MultiFrameState& state)
+{
+  for (std::size_t f = 0; f < pixels_.size(); ++f) {
+    std::vector<PairTerms> from;
+    for (const int p : scene_.used)
+      if (scene_.pairs[p].from == static_cast<int> (f))
+        from.push_back ({p, data_[p].get(), nullptr, 1.0});
+    if (!from.empty())
+      pcl_msf::sharpenRigidBodies (from, state, scene_.threads, pixels_[f]);
   }
 }
 

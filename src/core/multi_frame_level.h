@@ -71,6 +71,11 @@ public:
   void
   sweep (const MultiFrameState& state, DataTerm::Pass pass);
 
+  /** \brief Weighs every frame's points of large bodies by how well they fit; see
+   * body_noise.h. */
+  void
+  sharpenRigidBodies (const MultiFrameState& state);
+
   double
   focalLength () const
   {

@@ -11,11 +11,8 @@ namespace pcl_msf {
 MultiFrameProblem::MultiFrameProblem (MultiFrameEnergy& energy, MultiFrameState& state)
 : energy_ (energy)
 , state_ (state)
-, segments_of_ (state.bodies())
-, blocks_ (energy.scene_.pairs.count())
+, blocks_ (energy.scene_.used.size(), BodyBlocks (state.body_of, state.bodies()))
 {
-  for (std::size_t k = 0; k < state.body_of.size(); ++k)
-    segments_of_[state.body_of[k]].push_back (static_cast<int> (k));
   ceres::Problem::Options options;
   options.evaluation_callback = this;
   options.disable_all_safety_checks = true;
@@ -28,13 +25,9 @@ MultiFrameProblem::MultiFrameProblem (MultiFrameEnergy& energy, MultiFrameState&
 void
 MultiFrameProblem::addBodies()
 {
-  for (const int p : energy_.scene_.used) {
-    blocks_[p].resize (state_.bodies());
-    for (int b = 0; b < state_.bodies(); ++b)
-      problem_->AddResidualBlock (new SegmentBlockCost (blocks_[p][b]),
-                                  nullptr,
-                                  state_.poses[p][b].parameters.data());
-  }
+  const std::vector<int>& used = energy_.scene_.used;
+  for (std::size_t i = 0; i < used.size(); ++i)
+    blocks_[i].addTo (*problem_, state_.poses[used[i]]);
 }
 
 void
@@ -81,35 +74,16 @@ MultiFrameProblem::addConcatenations()
 }
 
 void
-MultiFrameProblem::compress (int pair, bool evaluate_jacobians)
-{
-  const DataTerm& data = energy_.level_.data (pair);
-  for (std::size_t b = 0; b < segments_of_.size(); ++b) {
-    Matrix6 information = Matrix6::Zero();
-    Vector6 gradient = Vector6::Zero();
-    double cost = 0.0;
-    for (const int k : segments_of_[b]) {
-      cost += data.of (k).cost();
-      if (evaluate_jacobians) {
-        information += data.of (k).information;
-        gradient += data.of (k).gradient;
-      }
-    }
-    if (evaluate_jacobians)
-      blocks_[pair][b].set (information, gradient, cost);
-    else
-      blocks_[pair][b].setCost (cost);
-  }
-}
-
-void
 MultiFrameProblem::PrepareForEvaluation (bool evaluate_jacobians, bool)
 {
   using Pass = DataTerm::Pass;
   const Pass jacobian_pass = keep_ ? Pass::LinearizeKept : Pass::Linearize;
-  energy_.level_.sweep (state_, evaluate_jacobians ? jacobian_pass : Pass::Cost);
-  for (const int p : energy_.scene_.used)
-    compress (p, evaluate_jacobians);
+  if (!linearized_ || !evaluate_jacobians)
+    energy_.level_.sweep (state_, evaluate_jacobians ? jacobian_pass : Pass::Cost);
+  linearized_ = false;
+  const std::vector<int>& used = energy_.scene_.used;
+  for (std::size_t i = 0; i < used.size(); ++i)
+    blocks_[i].fill (energy_.level_.data (used[i]), evaluate_jacobians);
 }
 
 } // namespace pcl_msf

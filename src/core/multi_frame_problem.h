@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/body_blocks.h"
 #include "core/multi_frame_energy.h"
-#include "core/segment_block.h"
 #include <ceres/evaluation_callback.h>
 #include <ceres/problem.h>
 
@@ -31,6 +31,14 @@ public:
     return *problem_;
   }
 
+  /** \brief The data terms are linearized at the present state: the first evaluation
+   * need not sweep again. */
+  void
+  startsLinearized ()
+  {
+    linearized_ = true;
+  }
+
   /** \brief Keep the correspondences of the last linearization (tests). */
   void
   keepCorrespondences (bool keep)
@@ -45,15 +53,13 @@ private:
   addLinks ();
   void
   addConcatenations ();
-  void
-  compress (int pair, bool evaluate_jacobians);
 
   MultiFrameEnergy& energy_;
   MultiFrameState& state_;
-  std::vector<std::vector<int>> segments_of_;        ///< per body
-  std::vector<std::vector<CompressedBlock>> blocks_; ///< per pair, per body
+  std::vector<BodyBlocks> blocks_; ///< per used pair
   std::unique_ptr<ceres::Problem> problem_;
   bool keep_{false};
+  bool linearized_{false};
 };
 
 } // namespace pcl_msf

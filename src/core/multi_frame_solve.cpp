@@ -2,9 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/multi_frame_solve.h"
 
+#include "core/body_assignment.h"
+#include "core/body_merging.h"
 #include "core/depth_fusion.h"
 #include "core/exposure.h"
-#include "core/multi_frame_bodies.h"
 #include "core/segment_carrier.h"
 #include <omp.h>
 
@@ -17,15 +18,11 @@ namespace pcl_msf {
 namespace {
 
 constexpr double kRelativeTolerance =
-    0.01;                                // of the z-test at level 0; doubles per level
-constexpr double kMergeAllowance = 10.0; // per merge, in squared deviations
-constexpr double kMergePerPoint = 0.05;  // per point of the smaller body
-constexpr double kSeparation = 0.15;     // mean cost that leaving all neighbours costs
+    0.01;                            // of the z-test at level 0; doubles per level
+constexpr double kSeparation = 0.2;  // mean cost that leaving all neighbours costs
 constexpr double kBackground = 0.3;  // mean cost that leaving a known background costs
 constexpr int kExposureSamples = 64; // per segment
-constexpr int kReassignRounds = 3;
-constexpr double kSettled =
-    0.01; // relative change of the last solve that counts as none
+constexpr int kLaterIterations = 4;  // of a round at the finest level
 constexpr double kToleranceShare = 0.1; // a pair alone changes a sum of pairs little
 constexpr double kStartShare = 0.5;     // of the work
 
@@ -95,8 +92,9 @@ MultiFrameSolve::run (const RigidPose& guess, const std::vector<KnownStep>& know
   start (guess, known);
   report_.start_seconds = monitor_.seconds();
   const int most = user_.max_iterations;
+  const int few = std::min (most, kLaterIterations);
   const std::vector<Round> rounds = {
-      {1, most, true}, {0, std::min (most, 4), true}, {0, std::min (most, 4), false}};
+      {1, most, Round::First}, {0, few, Round::Middle}, {0, few, Round::Last}};
   begin_ = 0.0;
   share_ = 1.0;
   double begin = kStartShare;
@@ -207,35 +205,62 @@ MultiFrameSolve::round (const Round& round, double begin, double end)
       if (!image.empty())
         image = halveLabels (image);
   fitExposures (at, labels[pairs_.reference()]);
-  if (!round.merge)
+  if (round.place == Round::Last)
     fuseDepth();
   level_ = std::make_unique<MultiFrameLevel> (
       scene_, at, labels, energy_, kRelativeTolerance * (1 << at));
+  if (round.place == Round::First && user_.merge_bodies)
+    mergeAtStart (*level_);
+  if (round.place == Round::Last)
+    level_->sharpenRigidBodies (state_);
   MultiFrameEnergy energy (
       *level_, scene_, energy_, multiframe_.concatenation_weight, state_);
   monitor_.enter ("window", at, begin, end, round.iterations);
   SolverParameters solver = solver_;
   solver.function_tolerance *= kToleranceShare;
   solver.max_iterations = cancelled_ ? 0 : round.iterations;
-  const MultiFrameEnergy::Outcome outcome = energy.minimize (solver, monitor_, state_);
+  const SolveOutcome outcome = energy.minimize (solver, monitor_, state_);
   report_.initial_cost = outcome.initial;
   report_.final_cost = outcome.final;
-  const double change = outcome.initial.total() - outcome.final.total();
-  report_.converged =
-      outcome.iterations > 0 && !outcome.failed &&
-      (outcome.converged || std::abs (change) < kSettled * outcome.initial.total());
-  if (round.merge && user_.merge_bodies)
+  report_.converged = outcome.settled();
+  if (round.place != Round::Last && user_.merge_bodies)
     mergeAndReassign (*level_);
+}
+
+/** The used pairs at a level, as the steps that form bodies see them. */
+std::vector<PairTerms>
+MultiFrameSolve::pairTerms (const MultiFrameLevel& level) const
+{
+  std::vector<PairTerms> terms;
+  for (const int p : scene_.used) {
+    const DataTerm& data = level.data (p);
+    const bool own = pairs_[p].from == pairs_.reference();
+    terms.push_back ({p,
+                      &data,
+                      own ? &level.probes (p) : nullptr,
+                      residualScale (energy_, data.pixels())});
+  }
+  return terms;
+}
+
+/** What the start leaves apart may be one over all pairs: textureless pieces of one
+ * surface, which the solve would let drift. */
+void
+MultiFrameSolve::mergeAtStart (MultiFrameLevel& level)
+{
+  level.sweep (state_, DataTerm::Pass::Linearize);
+  mergeBodies (pairTerms (level), pairs_.frames(), scene_.links, {}, state_);
 }
 
 void
 MultiFrameSolve::mergeAndReassign (MultiFrameLevel& level)
 {
-  const MergeRules rules{1.0, kMergeAllowance, kMergePerPoint};
-  mergeTrajectories (level, scene_, energy_, rules, state_);
-  const AssignmentRules assignment{
-      kSeparation, multiframe_.static_background ? kBackground : 0.0, kReassignRounds};
-  reassignTrajectories (level, scene_, assignment, state_);
+  const std::vector<PairTerms> terms = pairTerms (level);
+  mergeBodies (terms, pairs_.frames(), scene_.links, {}, state_);
+  AssignmentRules rules;
+  rules.separation = kSeparation;
+  rules.background = multiframe_.static_background ? kBackground : 0.0;
+  reassignBodies (terms, scene_.links, rules, scene_.threads, state_);
 }
 
 } // namespace pcl_msf

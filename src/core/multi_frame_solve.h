@@ -4,6 +4,7 @@
 
 #include "core/multi_frame_energy.h"
 #include "core/multi_frame_start.h"
+#include "core/pair_terms.h"
 #include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/oversegmentation.h>
 
@@ -35,9 +36,10 @@ public:
 
 private:
   struct Round {
+    enum Place { First, Middle, Last };
     int level;
     int iterations;
-    bool merge; ///< afterwards
+    Place place;
   };
 
   SolverParameters
@@ -52,6 +54,10 @@ private:
   fuseDepth ();
   void
   round (const Round& round, double begin, double end);
+  std::vector<PairTerms>
+  pairTerms (const MultiFrameLevel& level) const;
+  void
+  mergeAtStart (MultiFrameLevel& level);
   void
   mergeAndReassign (MultiFrameLevel& level);
   MultiframeSceneFlow

@@ -13,6 +13,14 @@
 namespace pcl_msf {
 namespace detail {
 
+std::string
+targetName (std::size_t target, std::size_t targets)
+{
+  if (targets < 2)
+    return "target";
+  return "target " + std::to_string (target + 1) + " of " + std::to_string (targets);
+}
+
 namespace {
 
 constexpr double kSuspiciousError = 2.0; // pixels, of a camera that the user gave
@@ -24,8 +32,20 @@ sizeText (const cv::Mat& image)
   return std::to_string (image.cols) + "x" + std::to_string (image.rows);
 }
 
+/** A cloud's name in messages. \param frame in the window with the source */
+std::string
+frameName (std::size_t frame, int reference, std::size_t frames)
+{
+  const auto source = static_cast<std::size_t> (reference);
+  if (frame == source)
+    return "source";
+  return targetName (frame > source ? frame - 1 : frame, frames - 1);
+}
+
 void
-requireDepth (const cv::Mat& depth, const FrameParameters& range, const char* name)
+requireDepth (const cv::Mat& depth,
+              const FrameParameters& range,
+              const std::string& name)
 {
   for (int v = 0; v < depth.rows; ++v)
     for (int u = 0; u < depth.cols; ++u) {
@@ -33,7 +53,7 @@ requireDepth (const cv::Mat& depth, const FrameParameters& range, const char* na
       if (z > 0.0f && z >= range.min_depth && z <= range.max_depth)
         return;
     }
-  throw InvalidInput (std::string ("no point of the ") + name +
+  throw InvalidInput ("no point of the " + name +
                       " has a valid depth: z must be positive, in metres, between " +
                       "FrameParameters' min_depth and max_depth");
 }
@@ -59,9 +79,10 @@ estimatedCamera (const std::vector<CloudImages>& clouds, int reference)
   if (!estimateCamera (clouds[reference].points, camera, &why))
     throw InvalidInput ("no camera is set and the source does not tell it: " + why +
                         "; call setCamera");
-  for (const CloudImages& target : clouds)
-    if (projectionError (target.points, camera) > kSuspiciousError)
-      throw InvalidInput ("the target was not taken by the camera estimated from the "
+  for (std::size_t k = 0; k < clouds.size(); ++k)
+    if (projectionError (clouds[k].points, camera) > kSuspiciousError)
+      throw InvalidInput ("the " + frameName (k, reference, clouds.size()) +
+                          " was not taken by the camera estimated from the "
                           "source; give clouds of one camera, or call setCamera");
   return camera;
 }
@@ -72,11 +93,11 @@ requireOneSize (const std::vector<CloudImages>& clouds,
                 const cv::Mat& normals)
 {
   const cv::Mat& source = clouds[reference].points;
-  for (const CloudImages& target : clouds)
-    if (target.points.size() != source.size())
-      throw InvalidInput ("the source has " + sizeText (source) +
-                          " points, the target " + sizeText (target.points) +
-                          ": give clouds of one size");
+  for (std::size_t k = 0; k < clouds.size(); ++k)
+    if (clouds[k].points.size() != source.size())
+      throw InvalidInput ("the source has " + sizeText (source) + " points, the " +
+                          frameName (k, reference, clouds.size()) + " " +
+                          sizeText (clouds[k].points) + ": give clouds of one size");
   if (!normals.empty() && normals.size() != source.size())
     throw InvalidInput ("the source has " + sizeText (source) +
                         " points, its normals " + sizeText (normals) +
@@ -100,7 +121,7 @@ makeFrames (std::vector<CloudImages> clouds,
   requireDepth (depths[reference], parameters, "source");
   for (int k = 0; k < count; ++k)
     if (k != reference)
-      requireDepth (depths[k], parameters, "target");
+      requireDepth (depths[k], parameters, frameName (k, reference, clouds.size()));
   const PinholeCamera used = camera.fx != 0.0
                                  ? checkedCamera (camera, clouds[reference])
                                  : estimatedCamera (clouds, reference);

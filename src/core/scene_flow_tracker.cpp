@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "core/label_refill.h"
+#include "core/label_use.h"
 #include "core/multi_frame_solve.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/scene_flow_estimator.h>
@@ -8,12 +8,11 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 namespace pcl_msf {
 
 namespace {
-
-constexpr double kMostSegments = 1.5; // of a fresh segmentation's
 
 bool
 isShare (double value)
@@ -31,8 +30,8 @@ TrackerParameters::isValid (std::string* why) const
     problem = "window must be in [2, 16]";
   else if (!isShare (least_visible))
     problem = "least_visible must be in [0, 1]";
-  else if (!isShare (least_kept))
-    problem = "least_kept must be in [0, 1]";
+  else if (!isShare (least_explained))
+    problem = "least_explained must be in [0, 1]";
   if (why && !problem.empty())
     *why = problem;
   return problem.empty();
@@ -108,36 +107,41 @@ SceneFlowTracker::mergedLabels() const
       key.insert (key.end(),
                   motion.segments[k].parameters.begin(),
                   motion.segments[k].parameters.end());
-    merged[k] = tracker_.merge_segments ? first_with.emplace (key, k).first->second : k;
+    merged[k] = first_with.emplace (key, k).first->second;
   }
   return merged;
 }
 
-/** The window without its oldest frame; its segments, carried to the next one. */
+/** The window as it is. */
+SceneFlowTracker::Window
+SceneFlowTracker::grow() const
+{
+  Window next{frames_, indices_, {}, segments_, {}, world_from_reference_};
+  next.former.resize (frames_.size());
+  std::iota (next.former.begin(), next.former.end(), 0);
+  next.origin.resize (segments_.size());
+  std::iota (next.origin.begin(), next.origin.end(), 0);
+  return next;
+}
+
+/** The window without the oldest frame beside its reference, which stays. */
 SceneFlowTracker::Window
 SceneFlowTracker::slide() const
 {
-  Window next{frames_, {}, {}, {}, first_ + 1};
-  next.frames.pop_front();
-  next.world_from_reference =
-      world_from_reference_ * result_.frames[1].dominant_motion.inverse();
-  const RgbdFrame& reference = next.frames.front();
-  const cv::Mat& depth = reference.levels()[0].inverse_depth;
-  const Oversegmentation fresh = Oversegmentation::fromFrame (reference, segmentation_);
+  Window next = grow();
+  next.frames.erase (next.frames.begin() + 1);
+  next.indices.erase (next.indices.begin() + 1);
+  next.former.erase (next.former.begin() + 1);
+  if (!tracker_.merge_segments)
+    return next;
   const std::vector<int> merged = mergedLabels();
-  cv::Mat labels = carried_.clone();
+  cv::Mat labels = segments_.labels().clone();
   labels.forEach<int> ([&merged] (int& label, const int*) {
     label = label >= 0 ? merged[label] : label;
   });
-  labels = fillWithFresh (labels, fresh, segments_.size());
-  const std::vector<int> order = labelsInOrder (labels, depth);
-  const bool explained = labelledShare (carried_, depth) >= tracker_.least_kept &&
-                         order.size() <= kMostSegments * fresh.size();
-  for (const int label : order)
-    next.origin.push_back (label < segments_.size() ? label : -1);
-  if (!explained)
-    next.origin.assign (fresh.size(), -1);
-  next.segments = explained ? Oversegmentation::fromLabels (labels, reference) : fresh;
+  const RgbdFrame& reference = frames_.front();
+  next.segments = Oversegmentation::fromLabels (labels, reference);
+  next.origin = labelsInOrder (labels, reference.levels()[0].inverse_depth);
   return next;
 }
 
@@ -145,7 +149,8 @@ SceneFlowTracker::slide() const
 SceneFlowTracker::Window
 SceneFlowTracker::beginAnew() const
 {
-  Window next{{frames_.back()}, {}, {}, cameraPose(), first_ + frames() - 1};
+  Window next{
+      {frames_.back()}, {indices_.back()}, {frames() - 1}, {}, {}, cameraPose()};
   next.segments = Oversegmentation::fromFrame (next.frames.front(), segmentation_);
   next.origin.assign (next.segments.size(), -1);
   return next;
@@ -154,46 +159,48 @@ SceneFlowTracker::beginAnew() const
 void
 SceneFlowTracker::add (const RgbdFrame& frame)
 {
+  if (frame.empty())
+    throw InvalidInput ("the frame is empty");
   if (frames_.empty()) {
-    if (frame.empty())
-      throw InvalidInput ("the frame is empty");
     segments_ = Oversegmentation::fromFrame (frame, segmentation_);
     frames_.push_back (frame);
+    indices_.push_back (0);
     return;
   }
   SceneFlowEstimator (energy_, solver_)
       .requireUsable (frames_.front(), frame, segments_);
-  Window window{frames_, segments_, {}, world_from_reference_, first_};
-  for (int k = 0; k < segments_.size(); ++k)
-    window.origin.push_back (k);
-  if (!result_.frames.empty() && visibleShare() < tracker_.least_visible)
-    window = beginAnew();
-  else if (frames() == tracker_.window && frames() == 2)
-    window = beginAnew();
-  else if (frames() == tracker_.window)
-    window = slide();
+  const bool full = frames() == tracker_.window;
+  Window window = !explained_ || (full && frames() == 2) ? beginAnew()
+                  : full                                 ? slide()
+                                                         : grow();
   window.frames.push_back (frame);
+  window.indices.push_back (indices_.back() + 1);
   solve (std::move (window));
+}
+
+/** Motions between frames that the former window held, too. */
+std::vector<KnownStep>
+SceneFlowTracker::knownSteps (const Window& window) const
+{
+  std::vector<KnownStep> known;
+  for (int k = 0; k + 1 < static_cast<int> (window.former.size()); ++k) {
+    KnownStep step{k, k + 1, {}, {}};
+    for (const int origin : window.origin) {
+      step.known.push_back (origin >= 0);
+      step.poses.push_back (
+          origin >= 0
+              ? result_.poseBetween (window.former[k], window.former[k + 1], origin)
+              : RigidPose{});
+    }
+    known.push_back (std::move (step));
+  }
+  return known;
 }
 
 /** Solves a window; what the last one knew of its motions is the start. */
 void
 SceneFlowTracker::solve (Window window)
 {
-  const int shift = static_cast<int> (window.first - first_);
-  const int count = static_cast<int> (window.frames.size());
-  std::vector<KnownStep> known;
-  for (int k = 0; k + 2 < count; ++k) {
-    KnownStep step{k, k + 1, {}, {}};
-    for (const int origin : window.origin) {
-      step.known.push_back (origin >= 0);
-      step.poses.push_back (origin >= 0
-                                ? result_.poseBetween (k + shift, k + 1 + shift, origin)
-                                : RigidPose{});
-    }
-    if (std::count (step.known.begin(), step.known.end(), 1) > 0)
-      known.push_back (std::move (step));
-  }
   const std::vector<RgbdFrame> frames (window.frames.begin(), window.frames.end());
   MultiFrameSolve joint (frames, 0, window.segments, energy_, solver_, multiframe_);
   const RigidPose last_step =
@@ -201,12 +208,17 @@ SceneFlowTracker::solve (Window window)
           ? RigidPose{}
           : sceneFlow().dominant_motion *
                 result_.frames[result_.frames.size() - 2].dominant_motion.inverse();
-  result_ = joint.run (last_step, known);
-  carried_ = joint.labelsIn (1);
+  MultiframeSceneFlow result = joint.run (last_step, knownSteps (window));
+  const double covered =
+      labelledShare (joint.labelsIn (static_cast<int> (frames.size()) - 1),
+                     frames.back().levels()[0].inverse_depth);
+  result_ = std::move (result);
   frames_ = std::move (window.frames);
+  indices_ = std::move (window.indices);
   segments_ = window.segments;
   world_from_reference_ = window.world_from_reference;
-  first_ = window.first;
+  explained_ =
+      covered >= tracker_.least_explained && visibleShare() >= tracker_.least_visible;
 }
 
 } // namespace pcl_msf

@@ -9,6 +9,8 @@ namespace pcl_msf {
 
 namespace {
 
+constexpr int kLeastSamples = 2048; // of all segments together
+
 /** Where each segment's points begin, and the pixels in that order. */
 void
 sortBySegment (const cv::Mat& labels, int segments, SegmentPixels& out)
@@ -28,14 +30,17 @@ sortBySegment (const cv::Mat& labels, int segments, SegmentPixels& out)
         out.pixel[next[labels.at<int> (y, x)]++] = y * labels.cols + x;
 }
 
+/** Keeps samples of each segment; more of each when the segments are few. */
 void
 thin (int max_per_segment, SegmentPixels& out)
 {
+  const int most =
+      std::max (max_per_segment, kLeastSamples / std::max (1, out.segments()));
   std::vector<int> begin (1, 0);
   std::vector<int> pixel;
   for (int k = 0; k < out.segments(); ++k) {
     const int n = out.size (k);
-    const int keep = std::min (n, max_per_segment);
+    const int keep = std::min (n, most);
     for (int i = 0; i < keep; ++i)
       pixel.push_back (
           out.pixel[out.begin[k] + static_cast<int> ((i + 0.5) * n / keep)]);

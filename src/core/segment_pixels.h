@@ -59,7 +59,8 @@ struct PointOptions {
                                    ///< forgives, besides the noise and what a pixel
                                    ///< makes on a slanted surface
   BrightnessChange change;         ///< applied to the reference's intensity
-  int max_per_segment{0};          ///< 0 = all; else evenly spaced samples
+  int max_per_segment{0};          ///< 0 = all; else evenly spaced samples; more when
+                                   ///< so few segments would have less than 2048 in all
   int threads{1};
 };
 

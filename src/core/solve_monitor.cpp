@@ -24,6 +24,7 @@ SolveMonitor::enter (const char* stage, int level, double begin, double end, int
   end_ = end;
   steps_ = std::max (1, steps);
   done_ = 0;
+  ++energy_;
 }
 
 bool
@@ -31,7 +32,7 @@ SolveMonitor::step (double cost)
 {
   ++iterations_;
   done_ = std::min (done_ + 1, steps_);
-  history_.push_back ({progress_.level, cost, seconds(), terms_});
+  history_.push_back ({progress_.level, cost, seconds(), terms_, energy_});
   progress_.iteration = iterations_;
   progress_.fraction = begin_ + (end_ - begin_) * done_ / steps_;
   progress_.cost = cost;

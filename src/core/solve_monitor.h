@@ -29,7 +29,8 @@ public:
   double
   secondsLeft () const;
 
-  /** \brief Enters a stage that takes the work from `begin` to `end`, shares of 1. */
+  /** \brief Enters a stage, with an energy of its own, that takes the work from `begin`
+   * to `end`, shares of 1. */
   void
   enter (const char* stage, int level, double begin, double end, int steps);
 
@@ -73,6 +74,7 @@ private:
   int steps_{1};
   int done_{0};
   int iterations_{0};
+  int energy_{-1}; // of the present stage; the first has 0
   EnergyCost terms_;
   StopReason reason_{StopReason::NotRun};
   std::vector<IterationRecord> history_;

@@ -2,19 +2,18 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "core/joint_solver.h"
+#include "core/solve_monitor.h"
 #include <ceres/iteration_callback.h>
 
 namespace pcl_msf {
 
 /** \brief Tells the monitor the energy by term after each iteration. Stands before the
  * callback that records the iteration; Ceres must update the state first
- * (update_state_every_iteration). */
+ * (update_state_every_iteration). `Energy` has presentCost (State). */
+template <typename Energy, typename State>
 class TermsCallback : public ceres::IterationCallback {
 public:
-  TermsCallback (SolveMonitor& monitor,
-                 const JointEnergy& energy,
-                 const MotionState& state)
+  TermsCallback (SolveMonitor& monitor, const Energy& energy, const State& state)
   : monitor_ (monitor), energy_ (energy), state_ (state)
   {}
 
@@ -28,8 +27,8 @@ public:
 
 private:
   SolveMonitor& monitor_;
-  const JointEnergy& energy_;
-  const MotionState& state_;
+  const Energy& energy_;
+  const State& state_;
 };
 
 } // namespace pcl_msf

@@ -20,13 +20,8 @@ constexpr double kRelativeTolerance = 0.01; // of the z-test; doubles per level
 constexpr double kLeastIntensityNoise = 0.005;
 constexpr double kModelError = 0.15; // pixels that rigid segments leave unexplained
 constexpr double kRelativeDepthNoise = 0.003; // of inverse depth, beside the noise
-constexpr double kMergeAllowance = 10.0;      // per merge, in squared deviations
-constexpr double kMergePerPoint = 0.08;       // per point of the smaller body
-constexpr double kSeparation = 0.25; // mean cost that a body of one's own must save
 constexpr int kLaterRounds = 2;
-constexpr int kReassignRounds = 3;
 constexpr int kLastIterations = 4; // after the last merge
-constexpr double kSettled = 0.01;  // relative change of the last solve: none
 
 int
 threadCount (unsigned wanted)
@@ -117,7 +112,7 @@ TwoFrameSolve::refine (int at)
   const double begin = at == 0 ? 0.5 : 0.5 - 0.15 * at;
   monitor_.enter (
       "solve", at, begin, begin + (at == 0 ? 0.3 : 0.15), solver_.max_iterations);
-  JointEnergy::Outcome outcome = energy.minimize (solver_, monitor_, state_);
+  SolveOutcome outcome = energy.minimize (solver_, monitor_, state_);
   if (solver_.merge_bodies && at < kCoarsestLevel) {
     mergeAndReassign (energy, level);
     if (at == 0) {
@@ -132,32 +127,29 @@ TwoFrameSolve::refine (int at)
     if (followNeighbors (data, links_, state_) > 0)
       data.sweep (state_, DataTerm::Pass::Linearize);
     if (solver_.merge_bodies)
-      state_ = mergeBodies (energy.data(), links_, mergeRules (level), state_);
+      merge (level, data);
     energy.relaxWeights (state_);
     finest_ = std::make_unique<LevelData> (std::move (level));
   }
   report_.initial_cost = outcome.initial;
   report_.final_cost = outcome.final;
-  const double change = outcome.initial.total() - outcome.final.total();
-  report_.converged =
-      outcome.iterations > 0 && !outcome.failed &&
-      (outcome.converged || std::abs (change) < kSettled * outcome.initial.total());
+  report_.converged = outcome.settled();
 }
 
-MergeRules
-TwoFrameSolve::mergeRules (const LevelData& level) const
+void
+TwoFrameSolve::merge (const LevelData& level, const DataTerm& data)
 {
-  return {residualScale (energy_, level.pixels), kMergeAllowance, kMergePerPoint};
+  state_ =
+      mergeBodies (data, residualScale (energy_, level.pixels), links_, {}, state_);
 }
 
 void
 TwoFrameSolve::mergeAndReassign (JointEnergy& energy, LevelData& level)
 {
-  state_ = mergeBodies (energy.data(), links_, mergeRules (level), state_);
+  merge (level, energy.data());
   const DataTerm sample (
       level.probes, level.texture, makeRules (energy_, level.probes), threads_);
-  reassignBodies (
-      energy.data(), sample, links_, kSeparation, kReassignRounds, threads_, state_);
+  reassignBodies (energy.data(), sample, links_, {}, threads_, state_);
 }
 
 void

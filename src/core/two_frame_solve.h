@@ -83,8 +83,8 @@ private:
   unexplained (const LevelData& level) const;
   void
   refine (int level);
-  MergeRules
-  mergeRules (const LevelData& level) const;
+  void
+  merge (const LevelData& level, const DataTerm& data);
   void
   mergeAndReassign (JointEnergy& energy, LevelData& level);
   void

@@ -22,11 +22,20 @@ public:
   rows ()
   {
     while (at_ < text_.size())
-      row();
+      if (rows_.empty() && text_[at_] == '#')
+        comment();
+      else
+        row();
     return std::move (rows_);
   }
 
 private:
+  /** A line before the header, as pcl_msf_evaluate writes them. */
+  void
+  comment ()
+  {
+    at_ = std::min (text_.find ('\n', at_), text_.size() - 1) + 1;
+  }
   void
   row ()
   {

@@ -61,6 +61,7 @@ document.querySelectorAll("table.sortable").forEach(table => {
       const order = head.dataset.order === "1" ? -1 : 1;
       table.querySelectorAll("th").forEach(other => delete other.dataset.order);
       head.dataset.order = order;
+      if (columns.includes(column)) choice.value = column;
       const rows = [...body.rows];
       rows.sort((a, b) => {
         const x = a.cells[column].textContent, y = b.cells[column].textContent;
@@ -71,10 +72,16 @@ document.querySelectorAll("table.sortable").forEach(table => {
       draw();
     });
   });
+  const texts = column => [...body.rows].map(row => row.cells[column].textContent);
+  const varies = column => new Set(texts(column)).size > 1;
+  const names = [...table.rows[0].cells].filter(
+    head => !head.classList.contains("number")).map(head => head.cellIndex);
+  const telling = names.some(varies) ? names.filter(varies) : [names[0] ?? 0];
   const columns = [...table.querySelectorAll("th.number")].map(head => head.cellIndex);
   if (columns.length === 0) return;
-  const varies = columns.find(column => new Set([...body.rows].map(
-    row => row.cells[column].textContent)).size > 1);
+  const measured = columns.filter(varies).find(
+    column => texts(column).some(text => !Number.isInteger(number(text))))
+    ?? columns.find(varies) ?? columns[0];
   const plot = document.createElement("div");
   plot.className = "plot";
   const choice = document.createElement("select");
@@ -82,7 +89,7 @@ document.querySelectorAll("table.sortable").forEach(table => {
     const option = document.createElement("option");
     option.value = column;
     option.textContent = table.rows[0].cells[column].textContent;
-    option.selected = column === varies;
+    option.selected = column === measured;
     choice.append(option);
   });
   const picture = document.createElement("div");
@@ -98,8 +105,7 @@ document.querySelectorAll("table.sortable").forEach(table => {
   function draw() {
     const column = Number(choice.value), step = 22, left = 260, width = 820;
     const bars = [...body.rows].map(row => [
-      [...row.cells].slice(0, Math.max(1, columns[0])).map(cell => cell.textContent)
-        .join(" "),
+      telling.map(column => row.cells[column].textContent).join(" "),
       number(row.cells[column].textContent)]);
     const known = bars.map(bar => bar[1]).filter(value => isFinite(value));
     const most = Math.max(...known.map(Math.abs), 1e-12);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "io/figure_parts.h"
 #include "io/html_page.h"
 #include "io/number_text.h"
 #include <pcl_msf/io/html_report.h>
@@ -15,6 +16,7 @@ namespace pcl_msf::io {
 namespace {
 
 namespace fs = std::filesystem;
+using HtmlRow = std::vector<std::string>;
 
 std::string
 escaped (const std::string& text)
@@ -85,9 +87,38 @@ numberColumns (const HtmlTable& table)
   return numbers;
 }
 
+/** Three digits of a number are enough to look at; whole numbers and words stay. */
 std::string
-tableText (const HtmlTable& table)
+shown (const std::string& text)
 {
+  double value = 0.0;
+  if (text.find_first_of (".e") == std::string::npos || !parseNumber (text, value))
+    return text;
+  return shortNumber (value);
+}
+
+/** The table without columns that are empty. */
+HtmlTable
+withoutEmptyColumns (const HtmlTable& table)
+{
+  HtmlTable result{table.title, {}, std::vector<HtmlRow> (table.rows.size())};
+  for (std::size_t column = 0; column < table.header.size(); ++column) {
+    if (!table.rows.empty() &&
+        std::all_of (table.rows.begin(), table.rows.end(), [column] (const HtmlRow& r) {
+          return r.at (column).empty();
+        }))
+      continue;
+    result.header.push_back (table.header[column]);
+    for (std::size_t i = 0; i < table.rows.size(); ++i)
+      result.rows[i].push_back (table.rows[i][column]);
+  }
+  return result;
+}
+
+std::string
+tableText (const HtmlTable& whole)
+{
+  const HtmlTable table = withoutEmptyColumns (whole);
   const std::vector<bool> numbers = numberColumns (table);
   const auto kind = [&numbers] (std::size_t column) {
     return numbers[column] ? " class=\"number\"" : "";
@@ -101,7 +132,7 @@ tableText (const HtmlTable& table)
   for (const auto& row : table.rows) {
     text += "<tr>";
     for (std::size_t i = 0; i < row.size(); ++i)
-      text += "<td" + std::string (kind (i)) + ">" + escaped (row[i]) + "</td>";
+      text += "<td" + std::string (kind (i)) + ">" + escaped (shown (row[i])) + "</td>";
     text += "</tr>\n";
   }
   return text + "</tbody></table></div>\n";

@@ -25,22 +25,33 @@ listOf (const RigidPose& pose)
   return text + "]";
 }
 
+/** Places in the recording of a window's frames. */
+struct Indices {
+  const std::vector<int>& frames;
+
+  int
+  of (std::size_t frame) const
+  {
+    return frames.empty() ? static_cast<int> (frame) : frames.at (frame);
+  }
+};
+
 std::string
-yamlOf (const MultiframeSceneFlow& result, int first)
+yamlOf (const MultiframeSceneFlow& result, const Indices& index)
 {
   std::string text = "%YAML:1.0\n---\n";
-  text += "reference: " + std::to_string (first + result.reference) + "\nframes: [";
+  text += "reference: " + std::to_string (index.of (result.reference)) + "\nframes: [";
   for (std::size_t f = 0; f < result.frames.size(); ++f)
-    text += (f ? ", " : "") + std::to_string (first + static_cast<int> (f));
+    text += (f ? ", " : "") + std::to_string (index.of (f));
   text += "]\ndominant:\n";
   for (std::size_t f = 0; f < result.frames.size(); ++f)
     if (static_cast<int> (f) != result.reference)
-      text += "  - to: " + std::to_string (first + static_cast<int> (f)) +
+      text += "  - to: " + std::to_string (index.of (f)) +
               "\n    pose: " + listOf (result.frames[f].dominant_motion) + "\n";
   text += "pairs:\n";
   for (const PairMotion& pair : result.motions) {
-    text += "  - from: " + std::to_string (first + pair.from) +
-            "\n    to: " + std::to_string (first + pair.to) + "\n    segments:\n";
+    text += "  - from: " + std::to_string (index.of (pair.from)) +
+            "\n    to: " + std::to_string (index.of (pair.to)) + "\n    segments:\n";
     for (const RigidPose& pose : pair.segments)
       text += "      - " + listOf (pose) + "\n";
   }
@@ -57,21 +68,21 @@ addPose (JsonText& json, const std::string& key, const RigidPose& pose)
 }
 
 std::string
-jsonOf (const MultiframeSceneFlow& result, int first)
+jsonOf (const MultiframeSceneFlow& result, const Indices& index)
 {
   JsonText json;
   json.openObject();
-  json.integer ("reference", first + result.reference);
+  json.integer ("reference", index.of (result.reference));
   json.openArray ("frames");
   for (std::size_t f = 0; f < result.frames.size(); ++f)
-    json.integer ("", first + static_cast<int> (f));
+    json.integer ("", index.of (f));
   json.closeArray();
   json.openArray ("dominant");
   for (std::size_t f = 0; f < result.frames.size(); ++f) {
     if (static_cast<int> (f) == result.reference)
       continue;
     json.openObject();
-    json.integer ("to", first + static_cast<int> (f));
+    json.integer ("to", index.of (f));
     addPose (json, "pose", result.frames[f].dominant_motion);
     json.closeObject();
   }
@@ -79,8 +90,8 @@ jsonOf (const MultiframeSceneFlow& result, int first)
   json.openArray ("pairs");
   for (const PairMotion& pair : result.motions) {
     json.openObject();
-    json.integer ("from", first + pair.from);
-    json.integer ("to", first + pair.to);
+    json.integer ("from", index.of (pair.from));
+    json.integer ("to", index.of (pair.to));
     json.openArray ("segments");
     for (const RigidPose& pose : pair.segments)
       addPose (json, "", pose);
@@ -95,10 +106,13 @@ jsonOf (const MultiframeSceneFlow& result, int first)
 } // namespace
 
 void
-writePoses (const std::string& path, const MultiframeSceneFlow& result, int first)
+writePoses (const std::string& path,
+            const MultiframeSceneFlow& result,
+            const std::vector<int>& frames)
 {
   const bool json = std::filesystem::path (path).extension() == ".json";
-  writeText (path, json ? jsonOf (result, first) : yamlOf (result, first));
+  const Indices index{frames};
+  writeText (path, json ? jsonOf (result, index) : yamlOf (result, index));
 }
 
 void

@@ -58,11 +58,13 @@ addHistory (JsonText& json, const std::vector<IterationRecord>& history)
   for (const IterationRecord& record : history) {
     json.openObject();
     json.integer ("level", record.level);
+    json.integer ("energy", record.energy);
     json.number ("cost", record.cost);
     json.number ("brightness", record.terms.brightness);
     json.number ("icp", record.terms.icp);
     json.number ("regularizer", record.terms.regularizer);
     json.number ("prior", record.terms.prior);
+    json.number ("concatenation", record.terms.concatenation);
     json.number ("seconds", record.seconds);
     json.closeObject();
   }

@@ -142,8 +142,8 @@ entryOfFolder (const std::string& folder)
     for (const auto& [before, left, after, right] : kComparisons) {
       const auto one = pictureOf (base, {before, left}, frame);
       const auto other = pictureOf (base, {after, right}, frame);
-      if (one && other)
-        entry.comparisons.push_back ({*one, *other});
+      if (one && other) // the left one is the reference of all frames
+        entry.comparisons.push_back ({{one->path, left}, *other});
     }
   for (const HtmlPicture& known : knownPictures())
     for (int frame = 1; frame <= kMostFrames; ++frame)

@@ -102,6 +102,8 @@ takePoints (const pcl::PointCloud<PointXYZRGBFlow>& cloud,
   const cv::Size size (static_cast<int> (cloud.width), static_cast<int> (cloud.height));
   flow.points = pointImage (cloud);
   stored.color = colorImage (cloud);
+  if (cv::countNonZero (stored.color.reshape (1) != 255) == 0)
+    stored.color.release(); // written without an image
   flow.labels.create (size, CV_32SC1);
   flow.displacement.create (size, CV_32FC3);
   flow.visibility.create (size, CV_8UC1);

@@ -25,9 +25,7 @@ constexpr double kPatience = 3600.0; ///< seconds for an encoder
 /** A text file beside the output that is gone at the end. */
 class ListFile {
 public:
-  ListFile (const std::string& path,
-            const std::vector<std::string>& pictures,
-            double rate)
+  ListFile (const std::string& path, const std::vector<std::string>& pictures)
   : path_ (path)
   {
     std::ofstream stream (path_);
@@ -35,7 +33,7 @@ public:
       std::string quoted;
       for (const char c : fs::absolute (picture).string())
         quoted += c == '\'' ? std::string ("'\\''") : std::string (1, c);
-      stream << "file '" << quoted << "'\nduration " << 1.0 / rate << '\n';
+      stream << "file '" << quoted << "'\n";
     }
     stream.close();
     if (!stream)
@@ -84,9 +82,19 @@ byFfmpeg (const std::string& path,
   if (program.empty())
     return false;
   const std::string list = path + ".txt";
-  const ListFile file (list, pictures, rate);
-  Arguments arguments{
-      program, "-y", "-loglevel", "error", "-f", "concat", "-safe", "0", "-i", list};
+  const ListFile file (list, pictures);
+  Arguments arguments{program,
+                      "-y",
+                      "-loglevel",
+                      "error",
+                      "-f",
+                      "concat",
+                      "-safe",
+                      "0",
+                      "-r",
+                      std::to_string (rate),
+                      "-i",
+                      list};
   arguments.insert (arguments.end(), how.begin(), how.end());
   arguments.push_back (path);
   return run (arguments, cancelled) && isWritten (path);

@@ -125,7 +125,8 @@ drawScale (Pen& pen, const ColorScale& scale)
     colors.copyTo (pen.picture() (place));
   const int below = left.y + pen.line() + bar;
   pen.text (io::shortNumber (scale.minimum), {left.x, below});
-  const std::string high = io::shortNumber (scale.maximum);
+  const std::string high =
+      (scale.open ? "\u2265 " : "") + io::shortNumber (scale.maximum);
   pen.text (high, {left.x + width - pen.width (high), below});
 }
 

@@ -10,15 +10,15 @@
 namespace pcl_msf::visualization {
 
 std::string
-displayProblem ()
+displayProblem (std::shared_ptr<void>* connection)
 {
   const char* name = std::getenv ("DISPLAY");
   if (name == nullptr || *name == '\0')
     return "no display (DISPLAY is not set)";
-  const std::unique_ptr<Display, int (*) (Display*)> display (XOpenDisplay (nullptr),
-                                                              XCloseDisplay);
-  if (!display)
+  Display* const opened = XOpenDisplay (nullptr);
+  if (opened == nullptr)
     return std::string ("the display ") + name + " cannot be opened";
+  const std::shared_ptr<Display> display (opened, XCloseDisplay);
   int event = 0;
   int error = 0;
   const char* const mesa = "; sudo apt-get install libgl1-mesa-dri";
@@ -32,6 +32,8 @@ displayProblem ()
     XFree (found);
   if (count == 0)
     return std::string ("the display ") + name + " has no OpenGL with depth" + mesa;
+  if (connection != nullptr)
+    *connection = display;
   return {};
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include <pcl/common/colors.h>
-
+#include "io/figure_parts.h"
 #include "io/motion_ranks.h"
 #include "visualization/point_colors.h"
 #include "visualization/value_scenes.h"
@@ -15,32 +14,38 @@ namespace pcl_msf::visualization {
 
 namespace {
 
-constexpr double kTexture = 0.35; ///< share of the image's light in a label's colour
-constexpr int kListedGroups = 6;  ///< motion groups that the legend names
+constexpr double kTexture = 0.5; ///< share of the image's light in a label's colour
+constexpr double kLine = 0.45;   ///< light of the lines between labels
+constexpr int kListedGroups = 6; ///< motion groups that the legend names
 const cv::Vec3b kLargestGroup (190, 190, 190);
 
-cv::Vec3b
-labelColor (int label)
+/** Does a boundary run between this pixel and its right or lower neighbour? */
+bool
+onBoundary (const cv::Mat& labels, int row, int col)
 {
-  const auto count = static_cast<int> (pcl::GlasbeyLUT::size());
-  const pcl::RGB& color = pcl::GlasbeyLUT::at (label % count);
-  return {color.b, color.g, color.r};
+  const int label = labels.at<int> (row, col);
+  return (col + 1 < labels.cols && labels.at<int> (row, col + 1) != label) ||
+         (row + 1 < labels.rows && labels.at<int> (row + 1, col) != label);
 }
 
 /** A colour per label with the image's light and dark in it. */
 cv::Mat
 colorsOfLabels (const cv::Mat& labels,
                 const cv::Mat& image,
+                const cv::Mat& points,
                 const std::function<cv::Vec3b (int)>& color)
 {
-  const cv::Mat bgr = ownColors (image, labels.size());
+  const cv::Mat light = io::asGray (ownColors (image, points));
+  cv::Mat brightness;
+  light.convertTo (brightness, CV_32FC1);
+  const double white = std::max (64.0, percentile (brightness, 0.95));
   cv::Mat colors (labels.size(), CV_8UC3);
   for (int row = 0; row < labels.rows; ++row)
     for (int col = 0; col < labels.cols; ++col) {
       const int label = labels.at<int> (row, col);
-      const cv::Vec3b& own = bgr.at<cv::Vec3b> (row, col);
-      const double light = (own[0] + own[1] + own[2]) / 765.0;
-      const double shade = 1.0 - kTexture + 2.0 * kTexture * (light - 0.25);
+      const double share = std::min (1.0, light.at<unsigned char> (row, col) / white);
+      const double shade = (1.0 - kTexture + kTexture * share) *
+                           (onBoundary (labels, row, col) ? kLine : 1.0);
       const cv::Vec3b base = label >= 0 ? color (label) : kUnknownColor;
       for (int c = 0; c < 3; ++c)
         colors.at<cv::Vec3b> (row, col)[c] =
@@ -69,7 +74,8 @@ segmentScene (const ResultClouds& result)
   Scene scene;
   scene.title = std::to_string (segments) + " segments";
   scene.points.push_back (
-      {flow.points, colorsOfLabels (flow.labels, result.reference_color, labelColor)});
+      {flow.points,
+       colorsOfLabels (flow.labels, result.reference_color, flow.points, labelColor)});
   return scene;
 }
 
@@ -90,7 +96,8 @@ motionScene (const ResultClouds& result)
   scene.title = std::to_string (flow.bodies) + " motion groups";
   scene.points.push_back (
       {flow.points,
-       colorsOfLabels (ranks.image (flow.labels), result.reference_color, color)});
+       colorsOfLabels (
+           ranks.image (flow.labels), result.reference_color, flow.points, color)});
   for (int rank = 0; rank < std::min (kListedGroups, ranks.undetermined()); ++rank)
     scene.legend.push_back ({color (rank),
                              (rank == 0 ? "largest, " : "") +
@@ -131,7 +138,8 @@ occlusionScene (const ResultClouds& result)
   }
   const auto color = [&kinds] (int i) { return kinds[i].color; };
   scene.points.push_back (
-      {flow.points, colorsOfLabels (index, result.reference_color, color)});
+      {flow.points,
+       colorsOfLabels (index, result.reference_color, flow.points, color)});
   return scene;
 }
 

@@ -10,15 +10,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace pcl_msf::visualization {
 
 namespace {
 
-constexpr double kTypicalShare = 0.99;
-constexpr double kPale = 0.6;        ///< share of white in the cloud behind arrows
-constexpr double kLeastShare = 0.03; ///< of the scale: shorter motion has no arrow
-constexpr double kMostAcross = 40.0; ///< arrows side by side
+constexpr double kTypicalShare = 0.99; ///< of the points: motion that is to be seen
+constexpr double kSightShare = 0.25;   ///< of motion along the line of sight
+constexpr double kPale = 0.6;          ///< share of white in the cloud behind arrows
+constexpr double kLeastShare = 0.03;   ///< of the scale: shorter motion has no arrow
+constexpr double kMostAcross = 40.0;   ///< arrows side by side
 constexpr double kLeastAcross = 18.0;
 constexpr double kArrowLength = 1.6; ///< of long arrows, in steps
 constexpr int kTimeMap = cv::COLORMAP_PLASMA;
@@ -37,18 +39,10 @@ paleCloud (const ResultClouds& result)
 {
   const cv::Mat& points = result.scene_flow.points;
   cv::Mat gray;
-  cv::cvtColor (
-      ownColors (result.reference_color, points.size()), gray, cv::COLOR_BGR2GRAY);
+  cv::cvtColor (ownColors (result.reference_color, points), gray, cv::COLOR_BGR2GRAY);
   cv::Mat colors;
   cv::cvtColor (gray * (1.0 - kPale) + 255.0 * kPale, colors, cv::COLOR_GRAY2BGR);
   return {points, colors};
-}
-
-double
-scaleEnd (const cv::Mat& values, double maximum)
-{
-  const double end = maximum > 0.0 ? maximum : percentile (values, kTypicalShare);
-  return end > 0.0 ? end : 1.0;
 }
 
 cv::Vec3b
@@ -65,19 +59,43 @@ colorAt (double share, int color_map)
 struct Layout {
   int step{16};         ///< pixels
   double enlarged{1.0}; ///< times the displacement
+  double shortest{0.0}; ///< motion below this share of the distance has no path
 };
+
+/** How far the points go in the sensor's picture, pixels; NaN = unknown. Motion along
+ * the line of sight, which other views show, counts in part. */
+cv::Mat
+pixelLengths (const SceneFlow& flow, const cv::Mat& displacement)
+{
+  cv::Mat result (flow.points.size(),
+                  CV_32FC1,
+                  cv::Scalar (std::numeric_limits<float>::quiet_NaN()));
+  for (int row = 0; row < result.rows; ++row)
+    for (int col = 0; col < result.cols; ++col) {
+      const auto& p = flow.points.at<cv::Vec3f> (row, col);
+      const auto& d = displacement.at<cv::Vec3f> (row, col);
+      if (!(p[2] > 0.0F))
+        continue;
+      const double side =
+          std::hypot (d[0] - d[2] * p[0] / p[2], d[1] - d[2] * p[1] / p[2]);
+      result.at<float> (row, col) = static_cast<float> (
+          std::max (side, kSightShare * std::abs (d[2])) * flow.camera.fx / p[2]);
+    }
+  return result;
+}
 
 /** As many as fit beside each other, enlarged where long ones were too short to see. */
 Layout
-layoutOf (const SceneFlow& flow, const SceneOptions& options, double end)
+layoutOf (const SceneFlow& flow,
+          const cv::Mat& displacement,
+          const SceneOptions& options)
 {
-  cv::Mat depth;
-  cv::extractChannel (flow.points, depth, 2);
   const double width = flow.points.cols;
-  double pixels = end * flow.camera.fx / percentile (depth, 0.5);
-  if (!std::isfinite (pixels))
-    pixels = 0.0;
-  Layout layout{options.arrow_step, options.arrow_scale};
+  const double pixels = percentile (
+      whereVisible (pixelLengths (flow, displacement), flow.visibility), kTypicalShare);
+  Layout layout{options.arrow_step,
+                options.arrow_scale,
+                2.0 * kLeastShare * pixels / flow.camera.fx};
   if (layout.step == 0)
     layout.step = std::max (
         1,
@@ -92,13 +110,12 @@ layoutOf (const SceneFlow& flow, const SceneOptions& options, double end)
 
 /** A scale of lengths, in millimetres when metres were small numbers. */
 ColorScale
-lengthScale (double end)
+lengthScale (ColorScale metres)
 {
-  const bool small = end < 0.1;
-  return {0.0,
-          small ? 1000.0 * end : end,
-          small ? "length of displacement [mm]" : "length of displacement [m]",
-          kColorMap};
+  const bool small = metres.maximum < 0.1;
+  metres.maximum *= small ? 1000.0 : 1.0;
+  metres.title = small ? "length of displacement [mm]" : "length of displacement [m]";
+  return metres;
 }
 
 bool
@@ -124,10 +141,16 @@ arrowScene (const ResultClouds& result, const SceneOptions& options)
 {
   requireOptions (options);
   const SceneFlow& flow = result.scene_flow;
-  const double end = scaleEnd (lengths (flow.displacement), options.maximum);
   Scene scene;
   scene.title = "displacement";
-  const Layout layout = layoutOf (flow, options, end);
+  const ColorScale metres =
+      colorScale (whereVisible (lengths (flow.displacement), flow.visibility),
+                  options.maximum,
+                  "",
+                  kColorMap);
+  const double end = metres.maximum;
+  scene.scale = lengthScale (metres);
+  const Layout layout = layoutOf (flow, flow.displacement, options);
   if (layout.enlarged != 1.0)
     scene.title += cv::format (", arrows %g times as long", layout.enlarged);
   scene.points.push_back (paleCloud (result));
@@ -142,7 +165,6 @@ arrowScene (const ResultClouds& result, const SceneOptions& options)
     scene.arrows.push_back (
         {p, tip, colorAt (length / end, kColorMap), static_cast<float> (step_here)});
   });
-  scene.scale = lengthScale (end);
   return scene;
 }
 
@@ -157,8 +179,7 @@ trajectoryScene (const ResultClouds& result,
   const cv::Mat& points = result.scene_flow.points;
   const int frames = static_cast<int> (displacements.size());
   const SceneFlow& flow = result.scene_flow;
-  const Layout layout = layoutOf (
-      flow, options, scaleEnd (lengths (displacements.back()), options.maximum));
+  const Layout layout = layoutOf (flow, displacements.back(), options);
   Scene scene;
   scene.title = "trajectories over " + std::to_string (frames + 1) + " frames";
   if (layout.enlarged != 1.0)
@@ -168,15 +189,17 @@ trajectoryScene (const ResultClouds& result,
     const auto& p = points.at<cv::Vec3f> (row, col);
     if (!isFinite (p))
       return;
+    double reach = 0.0; // as far as it goes from its start, metres
     Polyline line{{p}, {colorAt (0.0, kTimeMap)}};
     for (int k = 0; k < frames; ++k) {
       const auto& d = displacements[k].at<cv::Vec3f> (row, col);
       if (!isFinite (d))
         break;
+      reach = std::max (reach, cv::norm (d));
       line.points.push_back (p + static_cast<float> (layout.enlarged) * d);
       line.colors.push_back (colorAt ((k + 1.0) / frames, kTimeMap));
     }
-    if (line.points.size() > 1)
+    if (line.points.size() > 1 && reach > layout.shortest * p[2])
       scene.lines.push_back (line);
   });
   scene.scale = ColorScale{0.0, static_cast<double> (frames), "frame", kTimeMap};

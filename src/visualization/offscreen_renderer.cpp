@@ -32,7 +32,9 @@ namespace pcl_msf::visualization {
 namespace {
 
 constexpr int kLargestSide = 16384; ///< of OpenGL's textures, at least
-constexpr double kLineWidth = 1.6;  ///< of trajectories, pixels at 480 rows
+constexpr double kLineWidth = 1.5;  ///< of trajectories, pixels at 480 rows
+constexpr double kCasing = 1.9;     ///< width of the dark line below one, line widths
+const cv::Vec3b kCasingColor (60, 60, 60);
 
 /** A window that needs no display where VTK has one (EGL; OSMesa is its default). */
 vtkSmartPointer<vtkRenderWindow>
@@ -43,6 +45,15 @@ makeWindow ()
 #else
   return vtkSmartPointer<vtkRenderWindow>::New();
 #endif
+}
+
+/** The same lines in one dark colour: bright ones stand out on it from any ground. */
+std::vector<Polyline>
+darkened (std::vector<Polyline> lines)
+{
+  for (Polyline& line : lines)
+    line.colors.assign (line.points.size(), kCasingColor);
+  return lines;
 }
 
 void
@@ -141,7 +152,8 @@ private:
     const bool has_marks = !scene.arrows.empty() || !scene.lines.empty();
     for (const PointSet& set : scene.points)
       add (pointActor (set, factor * pointSize (set, view, style), has_marks));
-    add (lineActor (scene.lines, line));
+    add (lineActor (darkened (scene.lines), kCasing * line, true));
+    add (lineActor (scene.lines, line, false));
     add (arrowActor (scene.arrows));
     const cv::Vec3b& b = style.background;
     renderer_->SetBackground (b[2] / 255.0, b[1] / 255.0, b[0] / 255.0);

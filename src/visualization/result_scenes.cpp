@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "visualization/point_colors.h"
 #include "visualization/result_checks.h"
+#include "visualization/seams.h"
 #include "visualization/value_scenes.h"
 #include <pcl_msf/visualization/result_scenes.h>
 
@@ -29,10 +30,10 @@ pairInOwnColors (const ResultClouds& result, const cv::Mat& positions)
 {
   requireCurrent (result);
   Scene scene;
+  scene.points.push_back (closedCloud (
+      points (result), positions, ownColors (result.reference_color, points (result))));
   scene.points.push_back (
-      {positions, ownColors (result.reference_color, positions.size())});
-  scene.points.push_back (
-      {result.current_points, ownColors (result.current_color, positions.size())});
+      {result.current_points, ownColors (result.current_color, result.current_points)});
   return scene;
 }
 
@@ -42,12 +43,14 @@ pairInTints (const ResultClouds& result,
              const std::string& name)
 {
   requireCurrent (result);
-  const cv::Size size = positions.size();
   Scene scene;
+  scene.points.push_back (closedCloud (
+      points (result),
+      positions,
+      tintedColors (result.reference_color, points (result), kReferenceTint)));
   scene.points.push_back (
-      {positions, tintedColors (result.reference_color, size, kReferenceTint)});
-  scene.points.push_back (
-      {result.current_points, tintedColors (result.current_color, size, kCurrentTint)});
+      {result.current_points,
+       tintedColors (result.current_color, result.current_points, kCurrentTint)});
   scene.legend = {{kReferenceTint, name}, {kCurrentTint, "current"}};
   scene.blended = true;
   return scene;
@@ -58,7 +61,9 @@ warpedAlone (const ResultClouds& result)
 {
   Scene scene;
   scene.points.push_back (
-      {warped (result), ownColors (result.reference_color, points (result).size())});
+      closedCloud (points (result),
+                   warped (result),
+                   ownColors (result.reference_color, points (result))));
   return scene;
 }
 
@@ -153,7 +158,6 @@ warpScene (const ResultClouds& result,
 {
   requireResult (result);
   requireDisplacements (result, displacements);
-  const cv::Size size = points (result).size();
   const double last = static_cast<double> (displacements.size());
   const double at = std::clamp (t, 0.0, last);
   const auto next = static_cast<std::size_t> (std::max (1.0, std::ceil (at)));
@@ -163,13 +167,15 @@ warpScene (const ResultClouds& result,
     displacement += (1.0 - share) * displacements[next - 2];
   Scene scene;
   if (!result.current_points.empty()) {
-    scene.points.push_back ({result.current_points,
-                             tintedColors (result.current_color, size, kCurrentTint)});
+    scene.points.push_back (
+        {result.current_points,
+         tintedColors (result.current_color, result.current_points, kCurrentTint)});
     scene.legend.push_back ({kCurrentTint, "current"});
   }
-  scene.points.push_back (
-      {displacedPoints (points (result), displacement, 1.0),
-       tintedColors (result.reference_color, size, kReferenceTint)});
+  scene.points.push_back (closedCloud (
+      points (result),
+      displacedPoints (points (result), displacement, 1.0),
+      tintedColors (result.reference_color, points (result), kReferenceTint)));
   scene.legend.push_back (
       {kReferenceTint, cv::format ("reference on its way, frame %.2f", at)});
   scene.blended = true;

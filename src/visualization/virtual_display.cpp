@@ -146,7 +146,7 @@ VirtualDisplay::VirtualDisplay()
 {
   if (!kNeedsDisplay)
     return;
-  const std::string problem = displayProblem();
+  const std::string problem = displayProblem (&connection_);
   if (!problem.empty())
     server_ = std::make_unique<Server> (problem);
 }

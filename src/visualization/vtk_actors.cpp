@@ -13,11 +13,35 @@
 #include "visualization/vtk_vertices.h"
 #include <pcl_msf/errors.h>
 
+#include <algorithm>
+#include <array>
+#include <vector>
+
 namespace pcl_msf::visualization {
 
 namespace {
 
 constexpr double kOffset = 4000.0; ///< of depth, in 2^-16 of its range
+constexpr double kLineOffset = 200.0;
+
+/** \param vertex of each point, -1 = not drawn */
+vtkSmartPointer<vtkCellArray>
+trianglesOf (const PointSet& set, const std::vector<vtkIdType>& vertex)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  const auto count = static_cast<int> (vertex.size());
+  for (const cv::Vec3i& triangle : set.triangles) {
+    std::array<vtkIdType, 3> corners{};
+    for (int i = 0; i < 3; ++i) {
+      if (triangle[i] < 0 || triangle[i] >= count)
+        throw InvalidInput ("points: a triangle's corner is no point");
+      corners[i] = vertex[triangle[i]];
+    }
+    if (*std::min_element (corners.begin(), corners.end()) >= 0)
+      cells->InsertNextCell (3, corners.data());
+  }
+  return cells;
+}
 
 } // namespace
 
@@ -29,11 +53,13 @@ pointActor (const PointSet& set, double pixels, bool behind)
     throw InvalidInput ("points: positions must be CV_32FC3 and colours CV_8UC3 of the "
                         "same size");
   Vertices vertices;
+  std::vector<vtkIdType> vertex (set.positions.total(), -1);
   for (int row = 0; row < set.positions.rows; ++row)
     for (int col = 0; col < set.positions.cols; ++col) {
       const auto& p = set.positions.at<cv::Vec3f> (row, col);
       if (isFinite (p))
-        vertices.add (p, set.colors.at<cv::Vec3b> (row, col));
+        vertex[row * set.positions.cols + col] =
+            vertices.add (p, set.colors.at<cv::Vec3b> (row, col));
     }
   if (vertices.size() == 0)
     return nullptr;
@@ -43,11 +69,13 @@ pointActor (const PointSet& set, double pixels, bool behind)
   for (vtkIdType i = 0; i < vertices.size(); ++i)
     cells->InsertCellPoint (i);
   data->SetVerts (cells);
+  data->SetPolys (trianglesOf (set, vertex));
   auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
   mapper->SetInputData (data);
   if (behind) { // what lies on the cloud is drawn over it
     mapper->SetResolveCoincidentTopologyToPolygonOffset();
     mapper->SetRelativeCoincidentTopologyPointOffsetParameter (kOffset);
+    mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters (0.0, kOffset);
   }
   auto actor = actorOf (mapper, false);
   actor->GetProperty()->SetPointSize (static_cast<float> (pixels));
@@ -55,7 +83,7 @@ pointActor (const PointSet& set, double pixels, bool behind)
 }
 
 vtkSmartPointer<vtkActor>
-lineActor (const std::vector<Polyline>& lines, double pixels)
+lineActor (const std::vector<Polyline>& lines, double pixels, bool behind)
 {
   Vertices vertices;
   auto cells = vtkSmartPointer<vtkCellArray>::New();
@@ -75,6 +103,10 @@ lineActor (const std::vector<Polyline>& lines, double pixels)
   data->SetLines (cells);
   auto mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
   mapper->SetInputData (data);
+  if (behind) { // as above, by less
+    mapper->SetResolveCoincidentTopologyToPolygonOffset();
+    mapper->SetRelativeCoincidentTopologyLineOffsetParameters (0.0, kLineOffset);
+  }
   auto actor = actorOf (mapper, false);
   actor->GetProperty()->SetLineWidth (static_cast<float> (pixels));
   return actor;

@@ -11,9 +11,9 @@
 
 namespace pcl_msf::visualization {
 
-/** \brief Points as vertices; null when the set has none. \param pixels size of each
- * \param behind moves them back a little, so that arrows and lines on them are seen
- * \throws InvalidInput when the images do not fit */
+/** \brief Points as vertices, and their triangles; null when the set has none. \param
+ * pixels size of each \param behind moves them back a little, so that arrows and lines
+ * on them are seen \throws InvalidInput when the images do not fit */
 vtkSmartPointer<vtkActor>
 pointActor (const PointSet& set, double pixels, bool behind);
 
@@ -21,8 +21,9 @@ pointActor (const PointSet& set, double pixels, bool behind);
 vtkSmartPointer<vtkActor>
 arrowActor (const std::vector<Arrow>& arrows);
 
-/** \brief Polylines; null without lines. \param pixels their width */
+/** \brief Polylines; null without lines. \param pixels their width \param behind moves
+ * them back a little, so that lines in the same place are seen */
 vtkSmartPointer<vtkActor>
-lineActor (const std::vector<Polyline>& lines, double pixels);
+lineActor (const std::vector<Polyline>& lines, double pixels, bool behind);
 
 } // namespace pcl_msf::visualization

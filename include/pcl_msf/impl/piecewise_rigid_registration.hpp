@@ -27,6 +27,7 @@ PiecewiseRigidRegistration<PointT>::computeTransformation (PointCloudSource& out
   this->nr_iterations_ = 0;
   try {
     checkInput();
+    aligned_ = this->input_;
     detail::Stopwatch watch;
     const std::vector<RgbdFrame> frames = makeFrames(); // section 3.3
     const double frame_seconds = watch.lap();
@@ -68,8 +69,8 @@ PiecewiseRigidRegistration<PointT>::checkInput() const
     throw InvalidInput ("the list of indices is empty: call setIndices with some, or "
                         "with a null pointer for all points");
   requireOrganized (*this->input_, "source");
-  for (const PointCloudTargetConstPtr& target : targets_)
-    requireOrganized (*target, "target");
+  for (std::size_t k = 0; k < targets_.size(); ++k)
+    requireOrganized (*targets_[k], detail::targetName (k, targets_.size()));
   if (reference_ > static_cast<int> (targets_.size()))
     throw InvalidInput ("the reference frame lies beyond the targets: call "
                         "setReferenceFrame with 0 to their number");
@@ -187,6 +188,7 @@ PiecewiseRigidRegistration<PointT>::fail (StopReason reason, const char* why)
 {
   printError ("align", why);
   shown_ = 0;
+  aligned_.reset();
   result_ = detail::failedFlow (reason, why);
   this->converged_ = false;
 }

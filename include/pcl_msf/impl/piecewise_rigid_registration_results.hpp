@@ -29,9 +29,9 @@ PiecewiseRigidRegistration<PointT>::getWarpedCloud (int frame) const
 {
   const SceneFlow& flow = getSceneFlow (frame);
   const bool own = frame == result_.reference && !result_.frames.empty();
-  if (flow.displacement.empty() || flow.displacement.total() != this->input_->size())
-    return own ? *this->input_ : PointCloudSource();
-  PointCloudSource warped = *this->input_;
+  if (!aligned_ || flow.displacement.total() != aligned_->size())
+    return own && aligned_ ? *aligned_ : PointCloudSource();
+  PointCloudSource warped = *aligned_;
   pcl::Indices all (warped.size());
   std::iota (all.begin(), all.end(), 0);
   warp (flow, all, warped);

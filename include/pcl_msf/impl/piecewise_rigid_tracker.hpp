@@ -30,7 +30,8 @@ template <typename PointT>
 void
 PiecewiseRigidTracker<PointT>::restart()
 {
-  clouds_.clear();
+  reference_.reset();
+  newest_.reset();
   tracker_ = SceneFlowTracker();
 }
 
@@ -42,7 +43,7 @@ PiecewiseRigidTracker<PointT>::addCloud (const PointCloudConstPtr& cloud)
     if (!cloud || cloud->empty())
       throw InvalidInput ("the cloud is empty: give an organized one");
     requireOrganized (*cloud, "cloud");
-    const bool first = clouds_.empty();
+    const bool first = !reference_;
     if (first) {
       SegmentationParameters cut = segmentation_;
       if (rigid_)
@@ -56,11 +57,14 @@ PiecewiseRigidTracker<PointT>::addCloud (const PointCloudConstPtr& cloud)
                             frame_,
                             cv::Mat())
             .front();
+    const long reference = tracker_.firstFrame();
     tracker_.add (frame);
     used_camera_ = frame.camera();
-    clouds_.push_back (cloud);
-    while (static_cast<int> (clouds_.size()) > tracker_.frames())
-      clouds_.pop_front();
+    if (first)
+      reference_ = cloud;
+    else if (tracker_.firstFrame() != reference)
+      reference_ = newest_;
+    newest_ = cloud;
     return true;
   }
   catch (const std::exception& error) {
@@ -77,7 +81,7 @@ PiecewiseRigidTracker<PointT>::getWarpedCloud() const
   const SceneFlow& flow = getSceneFlow();
   if (flow.displacement.empty())
     return warped;
-  warped = *clouds_.front();
+  warped = *reference_;
   for (int v = 0; v < flow.displacement.rows; ++v)
     for (int u = 0; u < flow.displacement.cols; ++u) {
       const auto& d = flow.displacement.template at<cv::Vec3f> (v, u);

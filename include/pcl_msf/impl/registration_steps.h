@@ -14,6 +14,7 @@
 #include <pcl_msf/scene_flow.h>
 
 #include <chrono>
+#include <cstddef>
 #include <exception>
 #include <functional>
 #include <string>
@@ -28,6 +29,10 @@ struct CloudImages {
   cv::Mat points; ///< as from pointImage
   cv::Mat color;  ///< as from colorImage
 };
+
+/** A target's name in messages: by its number, from 1, when there are several. */
+std::string
+targetName (std::size_t target, std::size_t targets);
 
 /** Frames of clouds, in the order of time (section 3.3). A camera with fx = 0 is
  * estimated from the source, which is clouds[reference].

@@ -46,7 +46,8 @@ struct HtmlReport {
  * It opens from disk, without a server and without the network: style and script are in
  * it, pictures are linked by paths relative to `folder`. Without JavaScript, pictures
  * and tables are there, sliders and plots are not. Entries with numbers get a table
- * over all entries, too. \param folder where the page will be */
+ * over all entries, too. Tables show three digits of numbers that are not whole, and no
+ * empty columns. \param folder where the page will be */
 std::string
 htmlPage (const HtmlReport& report, const std::string& folder);
 
@@ -55,8 +56,9 @@ void
 writeHtmlReport (const std::string& path, const HtmlReport& report);
 
 /** \brief Reads comma-separated values (RFC 4180: quotes, doubled quotes, line ends in
- * quotes), the first line being the header. Short lines are filled up with empty cells.
- * \throws IoError for an empty file, a line longer than the header, an open quote */
+ * quotes), the first line being the header, after comments (#) as pcl_msf_evaluate
+ * writes them. Short lines are filled up with empty cells. \throws IoError for an empty
+ * file, a line longer than the header, an open quote */
 HtmlTable
 readCsvTable (const std::string& path);
 

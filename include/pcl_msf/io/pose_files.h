@@ -14,11 +14,12 @@ namespace pcl_msf::io {
  * JSON: `reference`, `frames` (their indices), `dominant` (the dominant motion from the
  * reference to each other frame), `pairs` with `from`, `to` and `segments`, a list of
  * six-element poses (angle-axis, radians; translation, metres; `to_from_from`).
- * \param first_frame index of the window's frame 0 in its recording \throws IoError */
+ * \param frames places of the window's frames in their recording; 0, 1, ... if empty
+ * \throws IoError */
 void
 writePoses (const std::string& path,
             const MultiframeSceneFlow& result,
-            int first_frame = 0);
+            const std::vector<int>& frames = {});
 
 /** \brief A camera pose with its time. */
 struct TimedPose {

@@ -30,7 +30,7 @@ writeWarpedCloud (const std::string& path,
 /** \brief A scene flow as a file holds it. */
 struct StoredSceneFlow {
   SceneFlow scene_flow; ///< without poses, connections and report
-  cv::Mat color;        ///< of the reference, CV_8UC3 (BGR)
+  cv::Mat color;        ///< of the reference, CV_8UC3 (BGR); empty when all are white
 };
 
 /** \brief Reads what writeSceneFlowCloud wrote.

@@ -10,10 +10,12 @@
 
 namespace pcl_msf::visualization {
 
-/** \brief Points with a colour each. */
+/** \brief Points with a colour each, and surface between some of them. */
 struct PointSet {
-  cv::Mat positions; ///< CV_32FC3, metres; NaN = no point
-  cv::Mat colors;    ///< CV_8UC3 (BGR), same size
+  cv::Mat positions;                  ///< CV_32FC3, metres; NaN = no point
+  cv::Mat colors;                     ///< CV_8UC3 (BGR), same size
+  std::vector<cv::Vec3i> triangles{}; ///< corners as row * columns + column; in between
+                                      ///< colours are mixed
 };
 
 /** \brief A displacement, drawn as an arrow. Metres. */
@@ -41,6 +43,7 @@ struct ColorScale {
   double maximum{1.0};
   std::string title; ///< what it is and its unit, e.g. "displacement [m]"
   int color_map{0};  ///< cv::ColormapTypes
+  bool open{false};  ///< some values lie beyond the maximum and have its colour
 };
 
 /** \brief What a picture shows. */

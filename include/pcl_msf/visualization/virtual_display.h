@@ -16,9 +16,10 @@ public:
 };
 
 /** \brief Why the X display that DISPLAY names cannot show OpenGL; empty when it can.
- * Opens and closes a connection. */
+ * \param[out] connection that the check has opened; hold it until VTK has drawn, since
+ * some servers start anew when their last client leaves; null = it is closed */
 std::string
-displayProblem ();
+displayProblem (std::shared_ptr<void>* connection = nullptr);
 
 /** \brief A display for as long as the object lives: the one that DISPLAY names when
  * that works, an Xvfb of its own on a free display number otherwise.
@@ -53,6 +54,7 @@ public:
 private:
   class Server;
   std::unique_ptr<Server> server_;
+  std::shared_ptr<void> connection_; ///< to a display that was there
 };
 
 } // namespace pcl_msf::visualization

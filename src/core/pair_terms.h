@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/data_term.h"
+
+namespace pcl_msf {
+
+/** \brief One pair of frames, as the steps that form bodies see it. */
+struct PairTerms {
+  int pair;               ///< index of its poses in the state
+  const DataTerm* all;    ///< every point, linearized at the state
+  const DataTerm* sample; ///< some of the points, to compare poses with; null when
+                          ///< the points were carried, as those of pairs that
+                          ///< don't start at the reference
+  double residual_scale;  ///< energy times this = sum of 1/2 (residual / sigma)^2
+};
+
+} // namespace pcl_msf
