@@ -248,8 +248,7 @@ TEST_F (Window, OptimumIsNearTheTruthFromBesideIt)
     solver.max_iterations = 20;
     solver.function_tolerance = 1e-8;
     SolveMonitor monitor (solver);
-    const SolveOutcome outcome =
-        energy_->minimize (solver, monitor, state);
+    const SolveOutcome outcome = energy_->minimize (solver, monitor, state);
     EXPECT_LT (outcome.final.total(), outcome.initial.total());
     for (std::size_t p = 0; p < state.poses.size(); ++p)
       for (int b = 0; b < 2; ++b) {

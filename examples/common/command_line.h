@@ -11,29 +11,47 @@ namespace pcl_msf::tool {
 
 /** \brief A command line that cannot be understood; what() is one line that names the
  * option. */
-class CommandLineError : public std::runtime_error {
+class UsageError : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
 
-/** \brief One option: its name with the dashes, what follows it (empty for a switch),
- * help with the default, and a setter that refuses what does not parse. */
-struct CommandOption {
-  std::string name;
-  std::string argument;
-  std::string help;
+/** \brief One option of a command line. */
+struct Option {
+  std::string name;     ///< with the dashes
+  std::string argument; ///< what follows it; empty for a switch
+  std::string help;     ///< with the default
+
+  /** \brief Takes the value; false when it does not parse. */
   std::function<bool (const std::string&)> set;
 };
 
-/** \brief A tool's options and the help about them. */
+/** \brief A headline and the options below it. */
+struct OptionGroup {
+  std::string title;
+  std::vector<Option> options;
+};
+
+/** \brief Reads "--name value", "--name=value" and, as --help, "-h"; words without a
+ * dash in front go to `take_word`. \throws UsageError */
+void
+readCommandLine (int argc,
+                 const char* const* argv,
+                 const std::vector<OptionGroup>& groups,
+                 const std::function<void (const std::string&)>& take_word);
+
+/** \brief Prints headlines and options on stdout, by PCL's console. */
+void
+printOptions (const std::vector<OptionGroup>& groups);
+
+/** \brief A tool's options and the help about them, without headlines. */
 struct CommandLine {
   std::string summary;
   std::vector<std::string> syntax;
-  std::vector<CommandOption> options;
+  std::vector<Option> options;
   std::function<void (const std::string&)> take_word; ///< what is no option
 
-  /** \brief Reads "--name value" and "--name=value" and words. \throws
-   * CommandLineError */
+  /** \brief As readCommandLine(). \throws UsageError */
   void
   read (int argc, const char* const* argv) const;
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "evaluate_option_table.h"
 
-#include "scene_flow/option_values.h"
+#include "common/option_values.h"
 #include <pcl_msf/errors.h>
 
 #include <sstream>
@@ -21,21 +21,6 @@ splitAtCommas (const std::string& text)
   for (std::string word; std::getline (stream, word, ',');)
     words.push_back (word);
   return words;
-}
-
-Setter
-text (std::string& value)
-{
-  return [&value] (const std::string& given) {
-    value = given;
-    return !given.empty();
-  };
-}
-
-Setter
-flag (bool& value)
-{
-  return [&value] (const std::string&) { return value = true; };
 }
 
 Setter
@@ -81,9 +66,12 @@ Setter
 size (int& width, int& height)
 {
   return [&width, &height] (const std::string& given) {
-    const std::size_t x = given.find ('x');
-    return x != std::string::npos && parse (given.substr (0, x), width) &&
-           parse (given.substr (x + 1), height);
+    int numbers[2];
+    if (!parseList (given, 'x', numbers))
+      return false;
+    width = numbers[0];
+    height = numbers[1];
+    return true;
   };
 }
 

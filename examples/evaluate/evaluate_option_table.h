@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "common/command_line.h"
 #include "options.h"
-#include "scene_flow/option_table.h"
 
 #include <vector>
 

@@ -4,9 +4,9 @@
 
 #include <pcl/console/print.h>
 
+#include "common/option_values.h"
 #include "evaluate_option_table.h"
 #include "method.h"
-#include "scene_flow/option_values.h"
 #include "score.h"
 
 #include <algorithm>
@@ -15,45 +15,6 @@
 namespace pcl_msf::tool {
 
 namespace {
-
-const Option&
-findOption (const std::vector<OptionGroup>& table, const std::string& name)
-{
-  for (const OptionGroup& group : table)
-    for (const Option& option : group.options)
-      if (option.name == name || (name == "-h" && option.name == "--help"))
-        return option;
-  throw UsageError (name + ": no such option; --help lists them");
-}
-
-/** Sets options; returns the words that are none. */
-std::vector<std::string>
-readWords (int argc, const char* const* argv, const std::vector<OptionGroup>& table)
-{
-  std::vector<std::string> others;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word.rfind ("-", 0) != 0) {
-      others.push_back (word);
-      continue;
-    }
-    const std::size_t at = word.find ('=');
-    const std::string name = word.substr (0, at);
-    std::string value = at == std::string::npos ? "" : word.substr (at + 1);
-    const Option& option = findOption (table, name);
-    if (!option.argument.empty() && at == std::string::npos) {
-      if (i + 1 >= argc)
-        throw UsageError (name + ": needs a value, " + option.argument);
-      value = argv[++i];
-    }
-    else if (option.argument.empty() && at != std::string::npos)
-      throw UsageError (name + ": takes no value");
-    if (!option.set (value))
-      throw UsageError (name + ": '" + value + "' is no " + option.argument + "; " +
-                        option.help);
-  }
-  return others;
-}
 
 void
 takeDataset (const std::vector<std::string>& words, EvaluateOptions& options)
@@ -144,8 +105,9 @@ EvaluateOptions
 parseEvaluateOptions (int argc, const char* const* argv)
 {
   EvaluateOptions options;
-  const std::vector<std::string> words =
-      readWords (argc, argv, makeEvaluateOptionTable (options));
+  std::vector<std::string> words;
+  const auto take_word = [&words] (const std::string& word) { words.push_back (word); };
+  readCommandLine (argc, argv, makeEvaluateOptionTable (options), take_word);
   if (options.help)
     return options;
   if (options.merge) {
@@ -206,13 +168,7 @@ printEvaluateHelp (const char* program)
   print_info ("\n    or: %s generated <options>\n", program);
   print_info ("    or: %s --merge --csv OUT.csv SHARD.csv ...\n", program);
   EvaluateOptions defaults;
-  for (const OptionGroup& group : makeEvaluateOptionTable (defaults)) {
-    print_info ("\n%s:\n", group.title.c_str());
-    for (const Option& option : group.options) {
-      print_value ("  %-22s %-12s", option.name.c_str(), option.argument.c_str());
-      print_info (" %s\n", option.help.c_str());
-    }
-  }
+  printOptions (makeEvaluateOptionTable (defaults));
   print_info ("\nMethods:\n");
   for (const auto& [name, help] : methodHelp()) {
     print_value ("  %-22s", name.c_str());

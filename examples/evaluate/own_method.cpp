@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "own_method.h"
 
+#include "common/option_values.h"
 #include "common/stop_watch.h"
 #include "lifting.h"
 #include "scene_flow/option_table.h"
-#include "scene_flow/option_values.h"
 #include <pcl_msf/evaluation/motion_errors.h>
 #include <pcl_msf/scene_flow_estimator.h>
 

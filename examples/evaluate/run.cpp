@@ -4,9 +4,9 @@
 
 #include <opencv2/core/utility.hpp>
 
+#include "common/interruption.h"
 #include "result_store.h"
 #include "run_progress.h"
-#include "scene_flow/interruption.h"
 #include "work.h"
 #include "worker_pool.h"
 

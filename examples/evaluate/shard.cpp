@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "shard.h"
 
-#include "scene_flow/option_values.h"
+#include "common/option_values.h"
 #include "scene_flow/options.h"
 
 #include <algorithm>

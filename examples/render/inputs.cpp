@@ -3,7 +3,7 @@
 #include "render/inputs.h"
 
 #include "common/command_line.h"
-#include "scene_flow/interruption.h"
+#include "common/interruption.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/data_folder.h>
 #include <pcl_msf/io/images.h>
@@ -60,8 +60,8 @@ void
 requireFrame (const io::DataFolder& folder, int frame)
 {
   if (frame >= folder.frames())
-    throw CommandLineError (folder.path() + " has " + std::to_string (folder.frames()) +
-                            " frames, there is no frame " + std::to_string (frame));
+    throw UsageError (folder.path() + " has " + std::to_string (folder.frames()) +
+                      " frames, there is no frame " + std::to_string (frame));
 }
 
 /** Last frame that pictures of the way through the window need; 0 = none does. */

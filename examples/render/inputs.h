@@ -20,7 +20,7 @@ struct RenderInputs {
 };
 
 /** \brief Reads a result folder, or estimates the scene flow of a folder with frames.
- * \throws IoError, InvalidInput, CommandLineError, Interrupted */
+ * \throws IoError, InvalidInput, UsageError, Interrupted */
 RenderInputs
 loadRenderInputs (const RenderOptions& options);
 

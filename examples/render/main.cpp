@@ -5,30 +5,18 @@
 
 #include <opencv2/core/utils/logger.hpp>
 
+#include "common/interruption.h"
+#include "common/tool_main.h"
 #include "render/inputs.h"
 #include "render/options.h"
 #include "render/pictures.h"
-#include "scene_flow/interruption.h"
 #include <pcl_msf/io/folders.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 
-namespace {
-
 using namespace pcl_msf;
 using namespace pcl_msf::tool;
-
-/** One line on stderr, whatever the message holds. */
-void
-complain (std::string message)
-{
-  std::replace (message.begin(), message.end(), '\n', ' ');
-  std::fprintf (stderr, "pcl_msf_render: %s\n", message.c_str());
-}
-
-} // namespace
 
 int
 main (int argc, char** argv)
@@ -55,7 +43,7 @@ main (int argc, char** argv)
     return 0;
   }
   catch (const std::exception& e) {
-    complain (e.what());
+    complain ("pcl_msf_render", e.what());
     return interrupted() ? interruptedStatus() : 1;
   }
 }

@@ -2,9 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "render/option_table.h"
 
-#include "scene_flow/option_values.h"
+#include "common/option_values.h"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -13,23 +12,6 @@ namespace pcl_msf::tool {
 namespace {
 
 using visualization::PictureKind;
-
-/** Numbers parted by one character, all of them. */
-template <typename Number, std::size_t N>
-bool
-parseList (const std::string& text, char separator, Number (&numbers)[N])
-{
-  std::size_t begin = 0;
-  for (Number& value : numbers) {
-    if (begin > text.size())
-      return false;
-    const std::size_t end = std::min (text.find (separator, begin), text.size());
-    if (!parse (text.substr (begin, end - begin), value))
-      return false;
-    begin = end + 1;
-  }
-  return begin == text.size() + 1;
-}
 
 bool
 parsePoint (const std::string& text, std::optional<Eigen::Vector3d>& point)
@@ -89,22 +71,7 @@ kindNames ()
   return names + "sheet (side by side) or all; may be given again [sheet]";
 }
 
-Setter
-setTrue (bool& value)
-{
-  return [&value] (const std::string&) { return value = true; };
-}
-
-Setter
-text (std::string& value)
-{
-  return [&value] (const std::string& word) {
-    value = word;
-    return !word.empty();
-  };
-}
-
-std::vector<CommandOption>
+std::vector<Option>
 inputOptions (RenderOptions& o)
 {
   return {{"--sequence",
@@ -127,7 +94,7 @@ inputOptions (RenderOptions& o)
           {"--output", "DIR", "folder for KIND.png and so on [.]", text (o.output)}};
 }
 
-std::vector<CommandOption>
+std::vector<Option>
 viewOptions (RenderOptions& o)
 {
   return {
@@ -169,7 +136,7 @@ viewOptions (RenderOptions& o)
        boolean (o.parallel)}};
 }
 
-std::vector<CommandOption>
+std::vector<Option>
 styleOptions (RenderOptions& o)
 {
   return {
@@ -208,7 +175,7 @@ styleOptions (RenderOptions& o)
        number (o.scene.maximum)}};
 }
 
-std::vector<CommandOption>
+std::vector<Option>
 animationOptions (RenderOptions& o)
 {
   return {
@@ -223,20 +190,20 @@ animationOptions (RenderOptions& o)
        number (o.sweep)},
       {"--pictures", "N", "of an animation, 2 to 2000 [48]", number (o.pictures)},
       {"--rate", "HZ", "pictures per second [24]", number (o.rate)},
-      {"--gif", "", "also an animated GIF, by ffmpeg or ImageMagick", setTrue (o.gif)},
-      {"--mp4", "", "also an MP4, by ffmpeg or OpenCV", setTrue (o.mp4)},
-      {"--quiet", "", "print nothing but errors", setTrue (o.quiet)},
-      {"--help", "", "print this", setTrue (o.help)}};
+      {"--gif", "", "also an animated GIF, by ffmpeg or ImageMagick", flag (o.gif)},
+      {"--mp4", "", "also an MP4, by ffmpeg or OpenCV", flag (o.mp4)},
+      {"--quiet", "", "print nothing but errors", flag (o.quiet)},
+      {"--help", "", "print this", flag (o.help)}};
 }
 
 } // namespace
 
-std::vector<CommandOption>
+std::vector<Option>
 renderOptionTable (RenderOptions& options)
 {
-  std::vector<CommandOption> table;
+  std::vector<Option> table;
   for (auto make : {inputOptions, viewOptions, styleOptions, animationOptions})
-    for (CommandOption& option : make (options))
+    for (Option& option : make (options))
       table.push_back (std::move (option));
   return table;
 }

@@ -11,7 +11,7 @@ namespace pcl_msf::tool {
 
 /** \brief All options of pcl_msf_render, bound to the fields of `options`, which must
  * outlive them. */
-std::vector<CommandOption>
+std::vector<Option>
 renderOptionTable (RenderOptions& options);
 
 } // namespace pcl_msf::tool

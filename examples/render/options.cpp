@@ -21,7 +21,7 @@ makeCommandLine (RenderOptions& o)
   line.options = renderOptionTable (o);
   line.take_word = [&o] (const std::string& word) {
     if (!o.input.empty())
-      throw CommandLineError ("'" + word + "': one input is enough; options have --");
+      throw UsageError ("'" + word + "': one input is enough; options have --");
     o.input = word;
   };
   return line;
@@ -32,21 +32,21 @@ check (const RenderOptions& o)
 {
   std::string why;
   if (o.input.empty())
-    throw CommandLineError ("give a folder of pcl_msf_scene_flow or one with frames");
+    throw UsageError ("give a folder of pcl_msf_scene_flow or one with frames");
   if (!o.style.isValid (&why))
-    throw CommandLineError ("--" + why);
+    throw UsageError ("--" + why);
   if (o.frame < 1 || o.window < 0)
-    throw CommandLineError ("--frame, --window: must be 1 or more");
+    throw UsageError ("--frame, --window: must be 1 or more");
   if (o.scene.arrow_step < 0 || !(o.scene.arrow_scale >= 0.0))
-    throw CommandLineError ("--arrow-step, --arrow-scale: must not be negative");
+    throw UsageError ("--arrow-step, --arrow-scale: must not be negative");
   if (!(o.field_of_view > 1.0 && o.field_of_view < 170.0) || !(o.zoom > 0.0))
-    throw CommandLineError ("--field-of-view must be 1 to 170, --zoom above 0");
+    throw UsageError ("--field-of-view must be 1 to 170, --zoom above 0");
   if (o.view == ViewPreset::User && !o.eye)
-    throw CommandLineError ("--view user: needs --eye X,Y,Z");
+    throw UsageError ("--view user: needs --eye X,Y,Z");
   if (o.pictures < 2 || o.pictures > 2000 || !(o.rate > 0.0 && o.rate <= 120.0))
-    throw CommandLineError ("--pictures must be 2 to 2000, --rate up to 120");
+    throw UsageError ("--pictures must be 2 to 2000, --rate up to 120");
   if ((o.gif || o.mp4) && o.animation == Animation::None)
-    throw CommandLineError ("--gif, --mp4: need --animation orbit or warp");
+    throw UsageError ("--gif, --mp4: need --animation orbit or warp");
 }
 
 } // namespace

@@ -53,7 +53,7 @@ struct RenderOptions {
   bool help{false};
 };
 
-/** \brief Reads the command line. \throws CommandLineError */
+/** \brief Reads the command line. \throws UsageError */
 RenderOptions
 parseRenderOptions (int argc, const char* const* argv);
 

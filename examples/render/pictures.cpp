@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "render/pictures.h"
 
-#include "scene_flow/interruption.h"
+#include "common/interruption.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/folders.h>
 #include <pcl_msf/io/images.h>

@@ -4,6 +4,8 @@
 #include <opencv2/core/utils/logger.hpp>
 
 #include "common/command_line.h"
+#include "common/option_values.h"
+#include "common/tool_main.h"
 #include <pcl_msf/io/folders.h>
 #include <pcl_msf/io/html_report.h>
 
@@ -16,7 +18,7 @@ namespace {
 
 using namespace pcl_msf;
 using tool::CommandLine;
-using tool::CommandLineError;
+using tool::UsageError;
 
 struct ReportOptions {
   std::vector<std::string> folders;
@@ -48,16 +50,8 @@ makeCommandLine (ReportOptions& options)
                      options.title = word;
                      return true;
                    }},
-                  {"--output",
-                   "FILE",
-                   "[index.html]",
-                   [&options] (const std::string& word) {
-                     options.output = word;
-                     return !word.empty();
-                   }},
-                  {"--help", "", "print this", [&options] (const std::string&) {
-                     return options.help = true;
-                   }}};
+                  {"--output", "FILE", "[index.html]", tool::text (options.output)},
+                  {"--help", "", "print this", tool::flag (options.help)}};
   line.take_word = [&options] (const std::string& word) {
     options.folders.push_back (word);
   };
@@ -89,8 +83,8 @@ run (const ReportOptions& options)
   for (const std::string& folder : options.folders) {
     const std::vector<std::string> found = io::resultFolders (folder);
     if (found.empty())
-      throw CommandLineError (folder + ": no report.json in it or below; give a folder "
-                                       "of pcl_msf_scene_flow");
+      throw UsageError (folder + ": no report.json in it or below; give a folder "
+                                 "of pcl_msf_scene_flow");
     folders.insert (folders.end(), found.begin(), found.end());
   }
   for (const std::string& folder : folders)
@@ -123,13 +117,11 @@ main (int argc, char** argv)
       return 0;
     }
     if (options.folders.empty() && options.tables.empty())
-      throw CommandLineError ("give folders of pcl_msf_scene_flow, or --csv FILE");
+      throw UsageError ("give folders of pcl_msf_scene_flow, or --csv FILE");
     return run (options);
   }
   catch (const std::exception& e) {
-    std::string message = e.what();
-    std::replace (message.begin(), message.end(), '\n', ' ');
-    std::fprintf (stderr, "pcl_msf_report: %s\n", message.c_str());
+    tool::complain ("pcl_msf_report", e.what());
     return 1;
   }
 }

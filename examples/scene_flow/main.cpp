@@ -3,9 +3,7 @@
 // Scene flow between RGB-D frames: files in, files out.
 #include <pcl/console/print.h>
 
-#include <opencv2/core/utils/logger.hpp>
-
-#include "interruption.h"
+#include "common/tool_main.h"
 #include "options.h"
 #include "output.h"
 #include "pipeline.h"
@@ -14,8 +12,6 @@
 #include <pcl_msf/io/pose_files.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <exception>
 #include <filesystem>
 
 namespace {
@@ -24,14 +20,6 @@ using namespace pcl_msf;
 using namespace pcl_msf::tool;
 
 constexpr const char* kProgram = "pcl_msf_scene_flow";
-
-/** One line on stderr, whatever the message holds. */
-void
-complain (std::string message)
-{
-  std::replace (message.begin(), message.end(), '\n', ' ');
-  std::fprintf (stderr, "%s: %s\n", kProgram, message.c_str());
-}
 
 void
 printSummary (const Outcome& outcome, const std::string& folder)
@@ -105,10 +93,11 @@ writeAll (Outcome& outcome, const Options& options, bool several)
     printSummary (outcome, options.output);
   const Report& report = outcome.lastFlow().report;
   if (!report.converged)
-    complain ("warning: frames " + std::to_string (outcome.reference()) + " to " +
-              std::to_string (outcome.indices[outcome.lastTarget()]) +
-              ": not converged (" + toString (report.stop_reason) + ")" +
-              (report.message.empty() ? "" : " ") + report.message);
+    complain (kProgram,
+              "warning: frames " + std::to_string (outcome.reference()) + " to " +
+                  std::to_string (outcome.indices[outcome.lastTarget()]) +
+                  ": not converged (" + toString (report.stop_reason) + ")" +
+                  (report.message.empty() ? "" : " ") + report.message);
 }
 
 void
@@ -151,8 +140,9 @@ runTracking (const Options& options, const Inputs& inputs)
 }
 
 int
-run (Options options)
+run (const Options& given)
 {
+  Options options = given;
   const Inputs inputs (options);
   if (options.output.empty())
     options.output = std::filesystem::absolute (options.sequence + "/.")
@@ -173,28 +163,5 @@ run (Options options)
 int
 main (int argc, char** argv)
 {
-  // Libraries' own messages would stand beside the one line that this tool promises.
-  cv::utils::logging::setLogLevel (cv::utils::logging::LOG_LEVEL_SILENT);
-  try {
-    if (argc < 2) {
-      printHelp (kProgram);
-      return 1;
-    }
-    const Options options = parseOptions (argc, argv);
-    if (options.help) {
-      printHelp (kProgram);
-      return 0;
-    }
-    pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS);
-    noteSignals();
-    return run (options);
-  }
-  catch (const Interrupted& e) {
-    complain (e.what());
-    return interruptedStatus();
-  }
-  catch (const std::exception& e) {
-    complain (e.what());
-    return 1;
-  }
+  return toolMain<Options> ({kProgram, parseOptions, printHelp, run}, argc, argv);
 }

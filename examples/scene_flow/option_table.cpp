@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "option_table.h"
 
-#include "option_values.h"
+#include "common/option_values.h"
 
 #include <sstream>
 #include <utility>
@@ -61,21 +61,6 @@ append (std::vector<std::string>& files)
     files.push_back (text);
     return !text.empty();
   };
-}
-
-Setter
-text (std::string& value)
-{
-  return [&value] (const std::string& given) {
-    value = given;
-    return !given.empty();
-  };
-}
-
-Setter
-flag (bool& value)
-{
-  return [&value] (const std::string&) { return value = true; };
 }
 
 OptionGroup

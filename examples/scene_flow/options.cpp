@@ -6,60 +6,9 @@
 
 #include "option_table.h"
 
-#include <utility>
-
 namespace pcl_msf::tool {
 
 namespace {
-
-const Option&
-findOption (const std::vector<OptionGroup>& table, const std::string& name)
-{
-  for (const OptionGroup& group : table)
-    for (const Option& option : group.options)
-      if (option.name == name || (name == "-h" && option.name == "--help"))
-        return option;
-  throw UsageError (name + ": no such option; --help lists them");
-}
-
-/** "--name=value" in its two parts. */
-std::pair<std::string, std::string>
-splitAtEqualSign (const std::string& word)
-{
-  const std::size_t at = word.find ('=');
-  if (at == std::string::npos)
-    return {word, {}};
-  return {word.substr (0, at), word.substr (at + 1)};
-}
-
-void
-readWords (int argc,
-           const char* const* argv,
-           const std::vector<OptionGroup>& table,
-           std::string& sequence)
-{
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word.rfind ("-", 0) != 0) {
-      if (!sequence.empty() || word.empty())
-        throw UsageError ("'" + word + "': not an option; --help lists them");
-      sequence = word;
-      continue;
-    }
-    auto [name, value] = splitAtEqualSign (word);
-    const Option& option = findOption (table, name);
-    if (!option.argument.empty() && name == word) {
-      if (i + 1 >= argc)
-        throw UsageError (name + ": needs a value, " + option.argument);
-      value = argv[++i];
-    }
-    else if (option.argument.empty() && name != word)
-      throw UsageError (name + ": takes no value");
-    if (!option.set (value))
-      throw UsageError (name + ": '" + value + "' is no " + option.argument + "; " +
-                        option.help);
-  }
-}
 
 void
 checkCount (const char* name, std::size_t count, std::size_t wanted)
@@ -129,7 +78,12 @@ Options
 parseOptions (int argc, const char* const* argv)
 {
   Options options;
-  readWords (argc, argv, makeOptionTable (options), options.sequence);
+  const auto take_word = [&options] (const std::string& word) {
+    if (!options.sequence.empty() || word.empty())
+      throw UsageError ("'" + word + "': not an option; --help lists them");
+    options.sequence = word;
+  };
+  readCommandLine (argc, argv, makeOptionTable (options), take_word);
   if (options.help)
     return options;
   checkInputs (options);
@@ -161,13 +115,7 @@ printHelp (const char* program)
               "FOLDER is a recording:\ncolor_K.png, depth_K.png and camera.txt, or one "
               "of the data sets' layouts (TUM RGB-D, ...).\n");
   Options defaults;
-  for (const OptionGroup& group : makeOptionTable (defaults)) {
-    print_info ("\n%s:\n", group.title.c_str());
-    for (const Option& option : group.options) {
-      print_value ("  %-22s %-12s", option.name.c_str(), option.argument.c_str());
-      print_info (" %s\n", option.help.c_str());
-    }
-  }
+  printOptions (makeOptionTable (defaults));
 }
 
 } // namespace pcl_msf::tool

@@ -2,23 +2,16 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "common/command_line.h"
 #include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/parameters.h>
 #include <pcl_msf/pinhole_camera.h>
 
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace pcl_msf::tool {
-
-/** \brief A command line that cannot be understood; what() is one line that names the
- * option. */
-class UsageError : public std::runtime_error {
-public:
-  using std::runtime_error::runtime_error;
-};
 
 /** \brief Everything that the command line says. */
 struct Options {

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "output.h"
 
-#include "interruption.h"
+#include "common/interruption.h"
 #include "pictures.h"
 #include <pcl_msf/io/float_files.h>
 #include <pcl_msf/io/images.h>

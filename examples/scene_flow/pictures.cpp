@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "pictures.h"
 
-#include "interruption.h"
+#include "common/interruption.h"
 #include "output.h"
 #include <pcl_msf/io/figures.h>
 #include <pcl_msf/io/flow_color.h>

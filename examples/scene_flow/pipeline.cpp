@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "pipeline.h"
 
+#include "common/interruption.h"
 #include "common/stop_watch.h"
-#include "interruption.h"
 #include "progress_line.h"
 #include <pcl_msf/multiframe_estimator.h>
 #include <pcl_msf/oversegmentation.h>

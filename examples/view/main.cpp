@@ -6,12 +6,13 @@
 #include <opencv2/core/utils/logger.hpp>
 
 #include "common/command_line.h"
+#include "common/interruption.h"
+#include "common/option_values.h"
+#include "common/tool_main.h"
 #include "render/inputs.h"
-#include "scene_flow/interruption.h"
 #include "view/window.h"
 #include <pcl_msf/visualization/virtual_display.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -22,13 +23,6 @@ namespace {
 using namespace pcl_msf;
 using namespace pcl_msf::tool;
 
-void
-complain (std::string message)
-{
-  std::replace (message.begin(), message.end(), '\n', ' ');
-  std::fprintf (stderr, "pcl_msf_view: %s\n", message.c_str());
-}
-
 CommandLine
 makeCommandLine (RenderOptions& options)
 {
@@ -37,19 +31,12 @@ makeCommandLine (RenderOptions& options)
   line.syntax = {
       "pcl_msf_view FOLDER     frames; every one is solved to the next",
       "pcl_msf_view RESULT --sequence FOLDER    what pcl_msf_scene_flow wrote"};
-  line.options = {{"--sequence",
-                   "FOLDER",
-                   "frames of a result folder",
-                   [&options] (const std::string& word) {
-                     options.sequence = word;
-                     return !word.empty();
-                   }},
-                  {"--help", "", "print this", [&options] (const std::string&) {
-                     return options.help = true;
-                   }}};
+  line.options = {
+      {"--sequence", "FOLDER", "frames of a result folder", text (options.sequence)},
+      {"--help", "", "print this", flag (options.help)}};
   line.take_word = [&options] (const std::string& word) {
     if (!options.input.empty())
-      throw CommandLineError ("'" + word + "': one input is enough");
+      throw UsageError ("'" + word + "': one input is enough");
     options.input = word;
   };
   return line;
@@ -62,7 +49,7 @@ makeSolver (const RenderOptions& options)
   if (!std::filesystem::exists (input / "scene_flow_0_1.pcd"))
     return std::make_unique<SequenceSolver> (io::DataFolder (options.input));
   if (options.sequence.empty())
-    throw CommandLineError ("--sequence: missing; a result is shown with its frames");
+    throw UsageError ("--sequence: missing; a result is shown with its frames");
   auto result =
       std::make_shared<visualization::ResultClouds> (loadRenderInputs (options).result);
   return std::make_unique<SequenceSolver> (std::move (result));
@@ -74,8 +61,8 @@ run (const RenderOptions& options)
   std::shared_ptr<void> display; // is there as long as the window
   const std::string problem = visualization::displayProblem (&display);
   if (!problem.empty())
-    throw CommandLineError (problem + "; a live window needs one; pcl_msf_render makes "
-                                      "pictures without");
+    throw UsageError (problem + "; a live window needs one; pcl_msf_render makes "
+                                "pictures without");
   noteSignals();
   const std::unique_ptr<SequenceSolver> solver = makeSolver (options);
   ViewWindow window (*solver);
@@ -105,7 +92,7 @@ main (int argc, char** argv)
     return run (options);
   }
   catch (const std::exception& e) {
-    complain (e.what());
+    complain ("pcl_msf_view", e.what());
     return 1;
   }
 }

@@ -16,7 +16,7 @@ namespace pcl_msf {
 namespace {
 
 constexpr int kLargest = 6;        // bodies that every other one may join
-constexpr double kRounding = 1e-6; // of sums of single-precision products, relative
+constexpr double kRounding = 1e-7; // of sums of single-precision products, relative
 
 /** E (x) = 1/2 x' A x - h' x + const over a pair's six pose parameters. */
 struct PoseQuadratic {

@@ -211,7 +211,7 @@ MultiFrameSolve::round (const Round& round, double begin, double end)
       scene_, at, labels, energy_, kRelativeTolerance * (1 << at));
   if (round.place == Round::First && user_.merge_bodies)
     mergeAtStart (*level_);
-  if (round.place == Round::Last)
+  if (round.place != Round::First)
     level_->sharpenRigidBodies (state_);
   MultiFrameEnergy energy (
       *level_, scene_, energy_, multiframe_.concatenation_weight, state_);

@@ -43,6 +43,23 @@ number (Number& value)
   return [&value] (const std::string& text) { return parse (text, value); };
 }
 
+/** \brief Any text but an empty one. */
+inline Setter
+text (std::string& value)
+{
+  return [&value] (const std::string& given) {
+    value = given;
+    return !given.empty();
+  };
+}
+
+/** \brief For a switch. */
+inline Setter
+flag (bool& value)
+{
+  return [&value] (const std::string&) { return value = true; };
+}
+
 /** \brief "0" or "1". */
 inline Setter
 boolean (bool& value)
@@ -68,21 +85,35 @@ choice (Enum& value, const std::vector<std::pair<std::string, Enum>>& words)
   };
 }
 
-/** \brief "FX,FY,CX,CY". */
-inline bool
-parseCamera (const std::string& text, PinholeCamera& camera)
+/** \brief Numbers parted by one character, all of them. */
+template <typename Number, std::size_t N>
+bool
+parseList (const std::string& text, char separator, Number (&numbers)[N])
 {
   std::size_t begin = 0;
-  double* const fields[] = {&camera.fx, &camera.fy, &camera.cx, &camera.cy};
-  for (double* field : fields) {
+  for (Number& value : numbers) {
     if (begin > text.size())
       return false;
-    const std::size_t end = std::min (text.find (',', begin), text.size());
-    if (!parse (text.substr (begin, end - begin), *field))
+    const std::size_t end = std::min (text.find (separator, begin), text.size());
+    if (!parse (text.substr (begin, end - begin), value))
       return false;
     begin = end + 1;
   }
   return begin == text.size() + 1;
+}
+
+/** \brief "FX,FY,CX,CY". */
+inline bool
+parseCamera (const std::string& text, PinholeCamera& camera)
+{
+  double numbers[4];
+  if (!parseList (text, ',', numbers))
+    return false;
+  camera.fx = numbers[0];
+  camera.fy = numbers[1];
+  camera.cx = numbers[2];
+  camera.cy = numbers[3];
+  return true;
 }
 
 } // namespace pcl_msf::tool
