@@ -24,7 +24,8 @@ struct TrackerParameters {
                                ///< the reference covers below which it begins anew
   bool merge_segments{false};  ///< segments that moved as one rigid body over a full
                                ///< window become one, until the reference is given up
-                               ///< (they never split)
+                               ///< (they never split). Faster, but what a window takes
+                               ///< for one stays one: not for scenes with slow objects
 
   bool
   isValid (std::string* why = nullptr) const;
