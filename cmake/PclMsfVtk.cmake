@@ -14,7 +14,7 @@ endif ()
 set (pcl_msf_vtk_modules
   CommonCore CommonDataModel RenderingCore RenderingFreeType RenderingOpenGL2)
 find_package (VTK 9 QUIET COMPONENTS
-  ${pcl_msf_vtk_modules} InteractionStyle InteractionWidgets)
+  ${pcl_msf_vtk_modules} InteractionStyle InteractionWidgets RenderingLOD)
 find_package (X11 QUIET)
 find_package (OpenGL QUIET COMPONENTS OpenGL GLX)
 find_package (OpenCV QUIET COMPONENTS core imgproc video imgcodecs videoio)
