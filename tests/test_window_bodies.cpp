@@ -110,31 +110,6 @@ TEST (WindowBodies, CommonPosesAreThoseOfTheirOwnPair)
   EXPECT_LT ((pairs.state_.ofPair (2).poseOf (10) * c - other * c).norm(), 1e-3);
 }
 
-TEST (WindowBodies, MergedPosesStayWhereNothingPulls)
-{
-  // Plates without brightness slide freely: the sums know nothing of the sliding.
-  TwoPairs pairs (test::loosePlates(), test::loosePlates());
-  for (SegmentPixels* pixels : {&pairs.first_.pixels(), &pairs.second_.pixels()})
-    std::fill (pixels->brightness_scale.begin(), pixels->brightness_scale.end(), 0.0f);
-  for (std::size_t k = 0; k < 12; ++k) // a little off, so that something pulls
-    for (const int pair : {0, 2})
-      pairs.state_.poses[pair][k] =
-          test::turnAbout (
-              pairs.first_.pixels().centroid[k],
-              {0.004 * std::sin (5.0 * k), 0.004 * std::cos (3.0 * k), 0.0},
-              {0.0, 0.0, 0.003 * std::sin (2.0 * k)}) *
-          pairs.state_.poses[pair][k];
-  pairs.linearize();
-  const std::vector<RigidPose> before = pairs.state_.poses[0];
-  pairs.merge();
-  ASSERT_LT (pairs.state_.bodies(), 12);
-  for (int k = 0; k < 12; ++k) {
-    const Eigen::Vector3d c = pairs.first_.pixels().centroid[k];
-    EXPECT_LT ((pairs.state_.ofPair (0).poseOf (k) * c - before[k] * c).norm(), 0.2)
-        << k;
-  }
-}
-
 TEST (WindowBodies, SegmentsChooseByThePairsThatAreAsked)
 {
   // In the first pair plate 11 moves with the body beside it, in the second it does
