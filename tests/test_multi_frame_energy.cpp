@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
+#include "core/joint_problem.h"
 #include "core/multi_frame_problem.h"
 #include "support/autodiff_energy.h"
 #include "support/window_scene.h"
@@ -234,6 +235,54 @@ TEST_F (Window, AgreesWithOneAutomaticResidualPerPixel)
   EXPECT_NEAR (a.cost, b.cost, 1e-10 * b.cost);
   EXPECT_LT ((a.gradient - b.gradient).norm(), 1e-8 * b.gradient.norm());
   EXPECT_LT ((a.gauss_newton - b.gauss_newton).norm(), 1e-8 * b.gauss_newton.norm());
+}
+
+/** Eq. 13 with one pair is Eq. 5: by term, in its slopes, and where it is least. */
+TEST_F (Window, OnePairIsTheTwoFrameEnergyBitForBit)
+{
+  make (2, 0);
+  MultiFrameState window = scene_->state;
+  for (int b = 0; b < 2; ++b)
+    for (int i = 0; i < 6; ++i)
+      window.poses[0][b].parameters[i] += 0.003 * ((i + b) % 3 - 1.2);
+  MotionState pair = window.ofPair (0);
+  const SegmentPixels pixels = level_->pixels (0);
+  const Texture texture (scene_->frames[1].levels()[0]);
+  DataTerm data (pixels, texture, makeRules (parameters_, pixels), 1);
+  JointEnergy joint (data, scene_->window.links, parameters_, level_->focalLength());
+  const EnergyCost one = joint.evaluate (pair);
+  const EnergyCost other = energy_->evaluate (window);
+  EXPECT_EQ (one.brightness, other.brightness);
+  EXPECT_EQ (one.icp, other.icp);
+  EXPECT_EQ (one.regularizer, other.regularizer);
+  EXPECT_EQ (one.prior, other.prior);
+  EXPECT_EQ (other.concatenation, 0.0);
+  EXPECT_GT (one.regularizer, 0.0);
+  JointProblem joint_problem (joint, pair);
+  MultiFrameProblem window_problem (*energy_, window);
+  const Evaluation a = evaluate (window_problem.problem(), window);
+  Evaluation b;
+  {
+    ceres::Problem::EvaluateOptions options;
+    options.parameter_blocks = {pair.poses[0].parameters.data(),
+                                pair.poses[1].parameters.data(),
+                                &pair.weights[0]};
+    std::vector<double> gradient;
+    ASSERT_TRUE (joint_problem.problem().Evaluate (
+        options, &b.cost, nullptr, &gradient, nullptr));
+    b.gradient = Eigen::Map<Eigen::VectorXd> (gradient.data(), gradient.size());
+  }
+  EXPECT_EQ (a.cost, b.cost);
+  EXPECT_EQ (a.gradient, b.gradient);
+  SolverParameters solver;
+  solver.max_iterations = 10;
+  SolveMonitor first (solver);
+  SolveMonitor second (solver);
+  EXPECT_EQ (joint.minimize (solver, first, pair).final.total(),
+             energy_->minimize (solver, second, window).final.total());
+  for (int b = 0; b < 2; ++b)
+    EXPECT_EQ (pair.poses[b].parameters, window.poses[0][b].parameters);
+  EXPECT_EQ (pair.weights, window.weights);
 }
 
 TEST_F (Window, OptimumIsNearTheTruthFromBesideIt)
