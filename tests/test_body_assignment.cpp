@@ -13,13 +13,26 @@ constexpr double kSeparation = 0.3;
 constexpr int kRounds = 3;
 constexpr int kStray = 19; // amid the left half
 
+/** Lets the segments of a pair of frames choose. */
+int
+reassignTiles (const test::TiledScene& scene,
+               const DataTerm& data,
+               int threads,
+               MotionState& state)
+{
+  WindowState window (state);
+  const int changes = reassignBodies (
+      scene.terms (data), scene.links(), {kSeparation, 0.0, kRounds}, threads, window);
+  state = window.ofPair (0);
+  return changes;
+}
+
 class BodyAssignment : public testing::Test {
 protected:
   int
   reassign (MotionState& state, int threads = 1)
   {
-    return reassignBodies (
-        data_, data_, scene_.links(), {kSeparation, 0.0, kRounds}, threads, state);
+    return reassignTiles (scene_, data_, threads, state);
   }
 
   test::TiledScene scene_{test::foldedWall()};
@@ -88,9 +101,7 @@ protected:
   int
   reassign (MotionState& state, int threads = 1)
   {
-    const DataTerm data = scene_.data();
-    return reassignBodies (
-        data, data, scene_.links(), {kSeparation, 0.0, kRounds}, threads, state);
+    return reassignTiles (scene_, scene_.data(), threads, state);
   }
 
   test::TiledScene scene_{test::coveredWall()};

@@ -16,6 +16,18 @@ using Pass = DataTerm::Pass;
 
 constexpr MergeRules kRules{10.0, 0.05};
 
+/** The bodies of a pair of frames after merging. \param data linearized at the state */
+MotionState
+merged (const test::TiledScene& scene,
+        const DataTerm& data,
+        const std::vector<SegmentLink>& links,
+        const MotionState& state)
+{
+  WindowState window (state);
+  mergeBodies (scene.terms (data), 2, links, kRules, window);
+  return window.ofPair (0);
+}
+
 /** Every segment a little off its motion, as estimates are: a tenth of a pixel. */
 MotionState
 estimated (const test::TiledScene& scene, const SegmentPixels& pixels)
@@ -41,8 +53,7 @@ TEST (BodyMerging, TwoMotionsMakeTwoBodies)
   DataTerm data = scene.data();
   const MotionState before = estimated (scene, scene.pixels());
   data.sweep (before, Pass::Linearize);
-  const MotionState after =
-      mergeBodies (data, scene.residualScale(), scene.links(), kRules, before);
+  const MotionState after = merged (scene, data, scene.links(), before);
   ASSERT_EQ (after.poses.size(), 2u);
   EXPECT_TRUE (test::samePartition (after.body_of, scene.bodyOf()));
   // The common poses are the true motions to a few hundredths of a pixel.
@@ -69,8 +80,7 @@ TEST (BodyMerging, SegmentWithoutTextureJoinsItsNeighbours)
   for (int i = 0; i < 3; ++i)
     blind.parameters[3 + i] += slip[i];
   data.sweep (before, Pass::Linearize);
-  const MotionState after =
-      mergeBodies (data, scene.residualScale(), scene.links(), kRules, before);
+  const MotionState after = merged (scene, data, scene.links(), before);
   EXPECT_EQ (after.poses.size(), 2u);
   EXPECT_TRUE (test::samePartition (after.body_of, scene.bodyOf()));
   const Eigen::Vector3d& c = pixels.centroid[kBlind];
@@ -84,8 +94,7 @@ TEST (BodyMerging, NothingMergesWhenAllDiffer)
   DataTerm data = scene.data();
   const MotionState before = scene.truth();
   data.sweep (before, Pass::Linearize);
-  const MotionState after =
-      mergeBodies (data, scene.residualScale(), scene.links(), kRules, before);
+  const MotionState after = merged (scene, data, scene.links(), before);
   EXPECT_EQ (after.poses.size(), 12u);
   EXPECT_EQ (after.body_of, before.body_of);
   for (int k = 0; k < 12; ++k)
@@ -99,11 +108,8 @@ mergedPlates (const test::TiledScene& scene, bool linked)
   DataTerm data = scene.data();
   const MotionState before = scene.truth();
   data.sweep (before, Pass::Linearize);
-  return mergeBodies (data,
-                      scene.residualScale(),
-                      linked ? scene.links() : std::vector<SegmentLink>{},
-                      kRules,
-                      before);
+  return merged (
+      scene, data, linked ? scene.links() : std::vector<SegmentLink>{}, before);
 }
 
 TEST (BodyMerging, LargestBodiesTakeWhatTheyDoNotTouch)
@@ -131,8 +137,7 @@ TEST (BodyMerging, WhatTheLargestTakeMayGrow)
   DataTerm data = scene.data();
   const MotionState before = estimated (scene, scene.pixels());
   data.sweep (before, Pass::Linearize);
-  const MotionState after =
-      mergeBodies (data, scene.residualScale(), {}, kRules, before);
+  const MotionState after = merged (scene, data, {}, before);
   EXPECT_EQ (after.poses.size(), 2u);
   EXPECT_TRUE (test::samePartition (after.body_of, scene.bodyOf()));
 }
@@ -150,8 +155,7 @@ TEST (BodyMerging, BodiesWithoutSegmentsAreForgotten)
   MotionState before = scene.solved();
   before.poses.emplace_back();
   data.sweep (before, Pass::Linearize);
-  const MotionState after =
-      mergeBodies (data, scene.residualScale(), scene.links(), kRules, before);
+  const MotionState after = merged (scene, data, scene.links(), before);
   ASSERT_EQ (after.poses.size(), 2u);
   for (int k = 0; k < scene.pixels().segments(); ++k)
     EXPECT_EQ (after.poseOf (k).parameters, before.poseOf (k).parameters);
@@ -163,8 +167,7 @@ TEST (BodyMerging, MergedBodiesStayMerged)
   DataTerm data = scene.data();
   const MotionState before = scene.solved();
   data.sweep (before, Pass::Linearize);
-  const MotionState after =
-      mergeBodies (data, scene.residualScale(), scene.links(), kRules, before);
+  const MotionState after = merged (scene, data, scene.links(), before);
   EXPECT_EQ (after.poses.size(), 2u);
   EXPECT_TRUE (test::samePartition (after.body_of, before.body_of));
 }

@@ -51,7 +51,6 @@ TEST_P (Gradient, MatchesCentralDifferencesOfTheKeptCost)
       test::pointsOf (bumps (0.3), labels, 1, NoiseModel{}, 0.4);
   const Texture texture (bumps (0.9));
   DataTerm data (pixels, texture, makeRules ({}, pixels), 1);
-  data.setDoublePrecision (true);
   for (int trial = 0; trial < 10; ++trial) {
     const Eigen::Vector3d axis =
         Eigen::Vector3d (uniform (generator), uniform (generator), uniform (generator))
@@ -65,7 +64,7 @@ TEST_P (Gradient, MatchesCentralDifferencesOfTheKeptCost)
     for (const int active : data.active())
       seen += (active & kernel::kIcp) ? 1 : 0;
     ASSERT_GT (seen, 20);
-    data.sweep (state, Pass::LinearizeKept);
+    data.sweep (state, Pass::LinearizeKeptInDouble);
     const SegmentQuadratic q = data.of (0);
     for (int i = 0; i < 6; ++i) {
       constexpr double kStep = 1e-6;
@@ -74,7 +73,7 @@ TEST_P (Gradient, MatchesCentralDifferencesOfTheKeptCost)
       double cost[2];
       for (const int side : {0, 1}) {
         x = middle + (side ? kStep : -kStep);
-        data.sweep (state, Pass::LinearizeKept);
+        data.sweep (state, Pass::LinearizeKeptInDouble);
         cost[side] = data.of (0).cost();
       }
       x = middle;
@@ -114,7 +113,10 @@ roomQuadratics (int threads, Pass last, std::vector<double>* probes)
 
 TEST (DataTerm, SameBitsForAnyNumberOfThreads)
 {
-  for (const Pass pass : {Pass::Linearize, Pass::LinearizeKept, Pass::Cost}) {
+  for (const Pass pass : {Pass::Linearize,
+                          Pass::LinearizeKept,
+                          Pass::LinearizeKeptInDouble,
+                          Pass::Cost}) {
     std::vector<double> one_probes;
     const auto one = roomQuadratics (1, pass, &one_probes);
     EXPECT_GT (one[20].cost(), 0.0);

@@ -28,7 +28,10 @@ protected:
   {
     DataTerm data = scene_.data();
     data.sweep (state, DataTerm::Pass::Linearize);
-    return followNeighbors (data, links, state);
+    WindowState window (state);
+    const int changes = followNeighbors (scene_.terms (data), links, window);
+    state = window.ofPair (0);
+    return changes;
   }
 
   /** The covered tile in a body of its own, almost where it is. */

@@ -4,11 +4,9 @@
 
 #include <Eigen/Geometry>
 
-#include "core/joint_problem.h"
 #include "support/analytic_scene.h"
 #include "support/autodiff_energy.h"
-#include "support/points.h"
-#include <ceres/crs_matrix.h>
+#include "support/kept_problem.h"
 #include <ceres/solver.h>
 
 #include <string>
@@ -58,8 +56,18 @@ class Oracle : public testing::TestWithParam<Setup> {
 protected:
   Oracle();
 
-  ceres::Problem::EvaluateOptions
-  order (MotionState& state) const;
+  std::vector<double*>
+  unknowns (WindowState& state) const;
+  const std::vector<SegmentLink>&
+  links () const
+  {
+    return window_.links;
+  }
+  const DataTerm&
+  data () const
+  {
+    return level_->data (0);
+  }
   bool
   l1 () const
   {
@@ -68,12 +76,12 @@ protected:
 
   test::AnalyticScene scene_{twoPlanes()};
   EnergyParameters energy_;
-  std::vector<SegmentLink> links_;
-  SegmentPixels pixels_;
-  std::unique_ptr<Texture> texture_;
-  std::unique_ptr<DataTerm> data_;
-  std::unique_ptr<JointEnergy> joint_;
-  MotionState state_;
+  std::vector<RgbdFrame> frames_;
+  FramePairs pairs_{2, 0};
+  WindowScene window_{frames_, pairs_, 3, 1, {0}};
+  std::unique_ptr<WindowLevel> level_;
+  std::unique_ptr<Energy> joint_;
+  WindowState state_;
 };
 
 Oracle::Oracle()
@@ -99,84 +107,49 @@ Oracle::Oracle()
     }
   FrameParameters plain;
   plain.smoothing_sigma = 0.0;
-  const FrameLevel level = scene_.frame (reference, plain).levels()[0];
-  pixels_ = test::pointsOf (level, labels, 3, NoiseModel{}, 0.01);
-  texture_ = std::make_unique<Texture> (scene_.frame (current, plain).levels()[0]);
-  data_ =
-      std::make_unique<DataTerm> (pixels_, *texture_, makeRules (energy_, pixels_), 1);
+  frames_ = {scene_.frame (reference, plain), scene_.frame (current, plain)};
+  level_ = std::make_unique<WindowLevel> (
+      window_, 0, std::vector<cv::Mat>{labels, {}}, energy_);
+  const std::vector<Eigen::Vector3d>& centroid = data().pixels().centroid;
   for (const auto& [j, h] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}}) {
-    const Eigen::Vector3d& a = pixels_.centroid[j];
-    const Eigen::Vector3d& b = pixels_.centroid[h];
-    links_.push_back ({j, h, 0.5 * (a + b), 0.5 * (a - b).norm()});
+    const Eigen::Vector3d& a = centroid[j];
+    const Eigen::Vector3d& b = centroid[h];
+    window_.links.push_back ({j, h, 0.5 * (a + b), 0.5 * (a - b).norm()});
   }
-  joint_ = std::make_unique<JointEnergy> (*data_, links_, energy_, scene_.camera.fx);
   // Poses about a pixel off the truth, weights of every kind.
   const auto off = [&] (int body, double a, double b) {
-    return test::turnAbout (pixels_.centroid[body],
+    return test::turnAbout (centroid[body],
                             {0.006 * a, -0.01 * b, 0.01 * a},
                             {0.03 * b, -0.02 * a, 0.006 * b}) *
            scene_.motions[body];
   };
-  state_ = MotionState::fromSegments (
-      {off (0, 1, 0.7), off (1, -0.5, 1), off (1, 1, -1)}, links_.size());
+  state_ = WindowState (MotionState::fromSegments (
+      {off (0, 1, 0.7), off (1, -0.5, 1), off (1, 1, -1)}, links().size()));
   state_.weights = {0.9, 0.7, 1.05};
   if (GetParam().joined) {
     state_.body_of = {0, 1, 1};
-    state_.poses.pop_back();
+    state_.poses[0].pop_back();
   }
-  data_->sweep (state_, DataTerm::Pass::Linearize); // finds the correspondences
-  data_->setDoublePrecision (true);
+  joint_ = std::make_unique<Energy> (*level_, window_, energy_, 0.0, state_);
+  level_->sweep (state_, DataTerm::Pass::Linearize); // finds the correspondences
 }
 
-ceres::Problem::EvaluateOptions
-Oracle::order (MotionState& state) const
+std::vector<double*>
+Oracle::unknowns (WindowState& state) const
 {
-  ceres::Problem::EvaluateOptions options;
-  for (RigidPose& pose : state.poses)
-    options.parameter_blocks.push_back (pose.parameters.data());
-  for (std::size_t i = 0; i < links_.size(); ++i)
-    if (state.body_of[links_[i].first] != state.body_of[links_[i].second])
-      options.parameter_blocks.push_back (&state.weights[i]);
-  return options;
-}
-
-/** Every evaluation in double precision, those of a bare cost, too. */
-class DoubleProblem : public JointProblem {
-public:
-  using JointProblem::JointProblem;
-  void
-  PrepareForEvaluation (bool, bool new_point) override
-  {
-    JointProblem::PrepareForEvaluation (true, new_point);
-  }
-};
-
-struct Evaluation {
-  double cost{0.0};
-  Eigen::VectorXd gradient;
-  Eigen::MatrixXd gauss_newton;
-};
-
-Evaluation
-evaluate (ceres::Problem& problem, const ceres::Problem::EvaluateOptions& options)
-{
-  Evaluation result;
-  std::vector<double> gradient;
-  ceres::CRSMatrix crs;
-  EXPECT_TRUE (problem.Evaluate (options, &result.cost, nullptr, &gradient, &crs));
-  result.gradient = Eigen::Map<Eigen::VectorXd> (gradient.data(), gradient.size());
-  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero (crs.num_rows, crs.num_cols);
-  for (int r = 0; r < crs.num_rows; ++r)
-    for (int i = crs.rows[r]; i < crs.rows[r + 1]; ++i)
-      jacobian (r, crs.cols[i]) = crs.values[i];
-  result.gauss_newton = jacobian.transpose() * jacobian;
-  return result;
+  std::vector<double*> blocks;
+  for (RigidPose& pose : state.poses[0])
+    blocks.push_back (pose.parameters.data());
+  for (std::size_t i = 0; i < links().size(); ++i)
+    if (state.body_of[links()[i].first] != state.body_of[links()[i].second])
+      blocks.push_back (&state.weights[i]);
+  return blocks;
 }
 
 TEST_P (Oracle, EveryKindOfPointTakesPart)
 {
   int count[6] = {};
-  for (const int active : data_->active()) {
+  for (const int active : data().active()) {
     for (int bit = 0; bit < 5; ++bit)
       count[bit] += (active >> bit) & 1;
     count[5] += active == kernel::kBrightness;
@@ -191,18 +164,18 @@ TEST_P (Oracle, EveryKindOfPointTakesPart)
 
 TEST_P (Oracle, CostGradientAndGaussNewtonMatrixAgree)
 {
-  JointProblem compressed (*joint_, state_);
-  compressed.keepCorrespondences (true);
+  test::KeptProblem compressed (*joint_, state_);
   const auto plain =
-      test::autodiffEnergy (*data_, links_, energy_, scene_.camera.fx, state_);
-  const auto options = order (state_);
-  const std::vector<RigidPose> start = state_.poses;
+      test::autodiffEnergy (data(), links(), energy_, scene_.camera.fx, state_);
+  const auto blocks = unknowns (state_);
+  const std::vector<RigidPose> start = state_.poses[0];
   for (const double step : {0.0, 0.004}) { // at the correspondences' poses and beside
     for (std::size_t b = 0; b < start.size(); ++b)
       for (int i = 0; i < 6; ++i)
-        state_.poses[b].parameters[i] = start[b].parameters[i] + step * (i % 3 - 1.2);
-    const Evaluation a = evaluate (compressed.problem(), options);
-    const Evaluation b = evaluate (*plain, options);
+        state_.poses[0][b].parameters[i] =
+            start[b].parameters[i] + step * (i % 3 - 1.2);
+    const auto a = test::evaluate (compressed.problem(), blocks);
+    const auto b = test::evaluate (*plain, blocks);
     ASSERT_EQ (a.gradient.size(), b.gradient.size());
     EXPECT_NEAR (a.cost / b.cost, 1.0, 1e-10);
     EXPECT_LT ((a.gradient - b.gradient).norm(), 1e-8 * b.gradient.norm());
@@ -217,11 +190,10 @@ TEST_P (Oracle, CostGradientAndGaussNewtonMatrixAgree)
 
 TEST_P (Oracle, SameOptimumFromTheSameStart)
 {
-  MotionState other = state_;
-  DoubleProblem compressed (*joint_, state_);
-  compressed.keepCorrespondences (true);
+  WindowState other = state_;
+  test::KeptProblem compressed (*joint_, state_);
   const auto plain =
-      test::autodiffEnergy (*data_, links_, energy_, scene_.camera.fx, other);
+      test::autodiffEnergy (data(), links(), energy_, scene_.camera.fx, other);
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   options.max_num_iterations = 100;
@@ -237,24 +209,26 @@ TEST_P (Oracle, SameOptimumFromTheSameStart)
   const double loose = l1() ? 100.0 : 1.0;
   EXPECT_NEAR (a.final_cost / b.final_cost, 1.0, 1e-8 * loose);
   EXPECT_LT (a.final_cost, 0.6 * a.initial_cost);
-  for (std::size_t k = 0; k < state_.poses.size(); ++k)
+  for (std::size_t k = 0; k < state_.poses[0].size(); ++k)
     for (int i = 0; i < 6; ++i)
-      EXPECT_NEAR (
-          state_.poses[k].parameters[i], other.poses[k].parameters[i], 1e-6 * loose);
-  for (std::size_t i = 0; i < links_.size(); ++i)
+      EXPECT_NEAR (state_.poses[0][k].parameters[i],
+                   other.poses[0][k].parameters[i],
+                   1e-6 * loose);
+  for (std::size_t i = 0; i < links().size(); ++i)
     EXPECT_NEAR (state_.weights[i], other.weights[i], 1e-6 * loose);
 }
 
 TEST_P (Oracle, FloatPathFollowsTheDoubleOne)
 {
   const auto sum = [&] (bool in_double, int segment) {
-    data_->setDoublePrecision (in_double);
-    data_->sweep (state_, DataTerm::Pass::LinearizeKept);
-    return data_->of (segment);
+    level_->sweep (state_,
+                   in_double ? DataTerm::Pass::LinearizeKeptInDouble
+                             : DataTerm::Pass::LinearizeKept);
+    return data().of (segment);
   };
   // L1's weights are 1 / |r|: a residual near zero magnifies its rounding.
   const double tolerance = l1() ? 1e-2 : 1e-4;
-  for (int k = 0; k < pixels_.segments(); ++k) {
+  for (int k = 0; k < data().pixels().segments(); ++k) {
     const SegmentQuadratic exact = sum (true, k);
     const SegmentQuadratic fast = sum (false, k);
     EXPECT_NEAR (fast.brightness_cost / exact.brightness_cost, 1.0, 1e-4);
@@ -266,8 +240,8 @@ TEST_P (Oracle, FloatPathFollowsTheDoubleOne)
                                 (fast.information - exact.information) *
                                 scale.asDiagonal();
     EXPECT_LT (information.cwiseAbs().maxCoeff(), tolerance);
-    data_->sweep (state_, DataTerm::Pass::Cost);
-    EXPECT_NEAR (data_->of (k).cost() / exact.cost(), 1.0, 1e-4);
+    level_->sweep (state_, DataTerm::Pass::Cost);
+    EXPECT_NEAR (data().of (k).cost() / exact.cost(), 1.0, 1e-4);
   }
 }
 

@@ -26,7 +26,7 @@ public:
   , first_data_ (first_.data())
   , second_data_ (second_.data())
   {
-    state_ = MultiFrameState (first_.truth());
+    state_ = WindowState (first_.truth());
     state_.poses.push_back (state_.poses[0]);
     for (std::size_t b = 0; b < state_.poses[kUnused].size(); ++b)
       state_.poses[kUnused][b].parameters[5] = static_cast<double> (b);
@@ -66,7 +66,7 @@ public:
   test::TiledScene second_;
   DataTerm first_data_;
   DataTerm second_data_;
-  MultiFrameState state_;
+  WindowState state_;
 };
 
 TEST (WindowBodies, MergeWhatMovesAsOneInEveryPair)
@@ -129,7 +129,7 @@ TEST (WindowBodies, SegmentsChooseByThePairsThatAreAsked)
 
 TEST (WindowBodies, BodiesAreNumberedByTheirFirstSegment)
 {
-  MultiFrameState state;
+  WindowState state;
   state.body_of = {3, 1, 3, 0};
   state.poses.resize (2);
   for (auto& poses : state.poses)
@@ -157,7 +157,7 @@ TEST (WindowBodies, RigidBodiesAreWeighedByAllTheirPairs)
     MotionState one = pairs.first_.truth();
     one.body_of.assign (one.body_of.size(), 0);
     one.poses.resize (1);
-    MultiFrameState state (one);
+    WindowState state (one);
     state.poses.assign (3, one.poses);
     SegmentPixels pixels = pairs.first_.pixels();
     const float before = pixels.brightness_scale[0];

@@ -6,7 +6,6 @@
 #include "core/segment_graph.h"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <numeric>
@@ -24,7 +23,7 @@ public:
   Assignment (const std::vector<PairTerms>& terms,
               const std::vector<SegmentLink>& links,
               const AssignmentRules& rules,
-              MultiFrameState& state);
+              WindowState& state);
 
   int
   round (int threads);
@@ -45,9 +44,9 @@ private:
   int
   choose (int segment, const std::vector<int>& candidates) const;
 
-  std::vector<PairTerms> asked_;
+  const std::vector<PairTerms> asked_;
   const AssignmentRules& rules_;
-  MultiFrameState& state_;
+  WindowState& state_;
   const int segments_;
   std::vector<std::vector<int>> neighbors_;
   int largest_{0};                   ///< body
@@ -59,17 +58,13 @@ private:
 Assignment::Assignment (const std::vector<PairTerms>& terms,
                         const std::vector<SegmentLink>& links,
                         const AssignmentRules& rules,
-                        MultiFrameState& state)
-: rules_ (rules)
+                        WindowState& state)
+: asked_ (fromReference (terms))
+, rules_ (rules)
 , state_ (state)
 , segments_ (static_cast<int> (state.body_of.size()))
 , neighbors_ (neighborLists (links, segments_))
-{
-  std::copy_if (terms.begin(),
-                terms.end(),
-                std::back_inserter (asked_),
-                [] (const PairTerms& t) { return t.sample != nullptr; });
-}
+{}
 
 std::vector<int>
 Assignment::largestBodies() const
@@ -203,7 +198,7 @@ reassignBodies (const std::vector<PairTerms>& terms,
                 const std::vector<SegmentLink>& links,
                 const AssignmentRules& rules,
                 int threads,
-                MultiFrameState& state)
+                WindowState& state)
 {
   Assignment assignment (terms, links, rules, state);
   int total = 0;
@@ -215,21 +210,6 @@ reassignBodies (const std::vector<PairTerms>& terms,
   }
   state.renumberBodies();
   return total;
-}
-
-int
-reassignBodies (const DataTerm& dense,
-                const DataTerm& data,
-                const std::vector<SegmentLink>& links,
-                const AssignmentRules& rules,
-                int threads,
-                MotionState& state)
-{
-  MultiFrameState window (state);
-  const int changes =
-      reassignBodies ({{0, &dense, &data, 1.0}}, links, rules, threads, window);
-  state = window.ofPair (0);
-  return changes;
 }
 
 } // namespace pcl_msf

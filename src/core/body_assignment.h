@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "core/multi_frame_state.h"
+#include "core/motion_state.h"
 #include "core/pair_terms.h"
 
 #include <vector>
@@ -32,16 +32,6 @@ reassignBodies (const std::vector<PairTerms>& terms,
                 const std::vector<SegmentLink>& links,
                 const AssignmentRules& rules,
                 int threads,
-                MultiFrameState& state);
-
-/** \brief The same for two frames. \param dense all points, which claim their places
- * \param data a sample of them, or all */
-int
-reassignBodies (const DataTerm& dense,
-                const DataTerm& data,
-                const std::vector<SegmentLink>& links,
-                const AssignmentRules& rules,
-                int threads,
-                MotionState& state);
+                WindowState& state);
 
 } // namespace pcl_msf

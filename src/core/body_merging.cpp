@@ -80,24 +80,13 @@ increase (const BodyQuadratics& a, const BodyQuadratics& b)
   return minimum - a.minimum - b.minimum;
 }
 
-/** Points of the segments themselves, not of what was carried to other frames. */
-const SegmentPixels&
-referencePoints (const std::vector<PairTerms>& terms)
-{
-  const auto from_reference =
-      std::find_if (terms.begin(), terms.end(), [] (const PairTerms& t) {
-        return t.sample != nullptr;
-      });
-  return from_reference->all->pixels();
-}
-
 class Merger {
 public:
   Merger (const std::vector<PairTerms>& terms,
           int frames,
           const std::vector<SegmentLink>& links,
           const MergeRules& rules,
-          MultiFrameState& state);
+          WindowState& state);
 
   void
   run ();
@@ -133,7 +122,7 @@ private:
   const std::vector<PairTerms>& terms_;
   const double strictness_; ///< of the allowances
   const MergeRules rules_;
-  MultiFrameState& state_;
+  WindowState& state_;
   std::vector<BodyQuadratics> bodies_;
   std::vector<int> joined_; ///< body -> the one that it went into
   std::priority_queue<Edge> queue_;
@@ -143,7 +132,7 @@ Merger::Merger (const std::vector<PairTerms>& terms,
                 int frames,
                 const std::vector<SegmentLink>& links,
                 const MergeRules& rules,
-                MultiFrameState& state)
+                WindowState& state)
 : terms_ (terms)
 , strictness_ (std::sqrt (frames - 1.0))
 , rules_ (rules)
@@ -154,7 +143,7 @@ Merger::Merger (const std::vector<PairTerms>& terms,
   std::iota (joined_.begin(), joined_.end(), 0);
   for (const PairTerms& pair : terms)
     addPair (pair);
-  const SegmentPixels& pixels = referencePoints (terms);
+  const SegmentPixels& pixels = fromReference (terms).front().all->pixels();
   for (std::size_t k = 0; k < state.body_of.size(); ++k) {
     bodies_[state.body_of[k]].points += pixels.size (static_cast<int> (k));
     bodies_[state.body_of[k]].alive = true;
@@ -293,21 +282,9 @@ mergeBodies (const std::vector<PairTerms>& terms,
              int frames,
              const std::vector<SegmentLink>& links,
              const MergeRules& rules,
-             MultiFrameState& state)
+             WindowState& state)
 {
   Merger (terms, frames, links, rules, state).run();
-}
-
-MotionState
-mergeBodies (const DataTerm& data,
-             double residual_scale,
-             const std::vector<SegmentLink>& links,
-             const MergeRules& rules,
-             const MotionState& state)
-{
-  MultiFrameState window (state);
-  mergeBodies ({{0, &data, &data, residual_scale}}, 2, links, rules, window);
-  return window.ofPair (0);
 }
 
 } // namespace pcl_msf

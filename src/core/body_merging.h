@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "core/multi_frame_state.h"
+#include "core/motion_state.h"
 #include "core/pair_terms.h"
 
 #include <vector>
@@ -31,15 +31,6 @@ mergeBodies (const std::vector<PairTerms>& terms,
              int frames,
              const std::vector<SegmentLink>& links,
              const MergeRules& rules,
-             MultiFrameState& state);
-
-/** \brief The same for two frames. \param data linearized at the state
- * \param residual_scale see PairTerms */
-MotionState
-mergeBodies (const DataTerm& data,
-             double residual_scale,
-             const std::vector<SegmentLink>& links,
-             const MergeRules& rules,
-             const MotionState& state);
+             WindowState& state);
 
 } // namespace pcl_msf

@@ -68,7 +68,7 @@ sharpness (std::vector<float>& sizes, double limit)
 
 void
 sharpenRigidBodies (const std::vector<PairTerms>& terms,
-                    const MultiFrameState& state,
+                    const WindowState& state,
                     int threads,
                     SegmentPixels& pixels)
 {
@@ -99,16 +99,6 @@ sharpenRigidBodies (const std::vector<PairTerms>& terms,
         pixels.icp_scale[i] *= icp;
       }
   }
-}
-
-void
-sharpenRigidBodies (const DataTerm& data,
-                    const MotionState& state,
-                    int threads,
-                    SegmentPixels& pixels)
-{
-  sharpenRigidBodies (
-      {{0, &data, nullptr, 1.0}}, MultiFrameState (state), threads, pixels);
 }
 
 } // namespace pcl_msf

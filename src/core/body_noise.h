@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "core/multi_frame_state.h"
+#include "core/motion_state.h"
 #include "core/pair_terms.h"
 #include "core/segment_pixels.h"
 
@@ -17,14 +17,7 @@ namespace pcl_msf {
  * \param pixels of one frame: the reference or one that segments were carried to */
 void
 sharpenRigidBodies (const std::vector<PairTerms>& terms,
-                    const MultiFrameState& state,
-                    int threads,
-                    SegmentPixels& pixels);
-
-/** \brief The same for two frames. \param data of `pixels` */
-void
-sharpenRigidBodies (const DataTerm& data,
-                    const MotionState& state,
+                    const WindowState& state,
                     int threads,
                     SegmentPixels& pixels);
 

@@ -170,7 +170,7 @@ DataTerm::evaluate (int k, const RigidPose& pose, Pass pass)
     kernel::cost (points (k), image_, motion, rules_, state, sums);
   else if (pass == Pass::Linearize)
     kernel::linearize (points (k), image_, motion, rules_, state, sums);
-  else if (double_precision_)
+  else if (pass == Pass::LinearizeKeptInDouble)
     kernel::linearizeKeptInDouble (points (k), image_, motion, rules_, state, sums);
   else
     kernel::linearizeKept (points (k), image_, motion, rules_, state, sums);

@@ -53,7 +53,9 @@ private:
  */
 class DataTerm {
 public:
-  enum class Pass { Linearize, LinearizeKept, Cost };
+  /** The first finds correspondences, the next two keep those of the last time, in
+   * single and double precision. */
+  enum class Pass { Linearize, LinearizeKept, LinearizeKeptInDouble, Cost };
 
   DataTerm (const SegmentPixels& pixels,
             const Texture& texture,
@@ -106,13 +108,6 @@ public:
     return image_;
   }
 
-  /** \brief Use double precision in LinearizeKept passes (tests). */
-  void
-  setDoublePrecision (bool on)
-  {
-    double_precision_ = on;
-  }
-
   /** \brief What a pose would cost. */
   struct Probe {
     double cost{0.0};   ///< truncated; share of the energy
@@ -151,7 +146,6 @@ private:
   kernel::Image image_;
   kernel::Rules rules_;
   int threads_;
-  bool double_precision_{false};
   std::vector<float> plane_offset_;
   std::vector<std::uint8_t> active_;
   std::vector<RigidPose> frozen_; ///< per segment, pose of the last renewal

@@ -12,16 +12,19 @@ namespace {
 constexpr double kHidden = 0.15; // share of visible points: less says nothing
 constexpr double kSeen = 0.5;    // enough to lead others
 
+/** Per segment, the share of its points that are seen, in the mean over the pairs. */
 std::vector<double>
-visibleShares (const DataTerm& data)
+visibleShares (const std::vector<PairTerms>& terms)
 {
-  const SegmentPixels& p = data.pixels();
+  const SegmentPixels& p = terms.front().all->pixels();
   std::vector<double> shares (p.segments(), 0.0);
   for (int k = 0; k < p.segments(); ++k) {
     int seen = 0;
-    for (int i = p.begin[k]; i < p.begin[k + 1]; ++i)
-      seen += (data.active()[i] & kernel::kIcp) ? 1 : 0;
-    shares[k] = static_cast<double> (seen) / std::max (1, p.size (k));
+    for (const PairTerms& pair : terms)
+      for (int i = p.begin[k]; i < p.begin[k + 1]; ++i)
+        seen += (pair.all->active()[i] & kernel::kIcp) ? 1 : 0;
+    const int points = p.size (k) * static_cast<int> (terms.size());
+    shares[k] = static_cast<double> (seen) / std::max (1, points);
   }
   return shares;
 }
@@ -35,11 +38,12 @@ struct Leader {
 } // namespace
 
 int
-followNeighbors (const DataTerm& data,
+followNeighbors (const std::vector<PairTerms>& all_terms,
                  const std::vector<SegmentLink>& links,
-                 MotionState& state)
+                 WindowState& state)
 {
-  const std::vector<double> seen = visibleShares (data);
+  const std::vector<PairTerms> terms = fromReference (all_terms);
+  const std::vector<double> seen = visibleShares (terms);
   std::vector<std::vector<Leader>> leaders (seen.size());
   for (const SegmentLink& link : links) {
     if (seen[link.first] < kHidden && seen[link.second] >= kSeen)
@@ -56,8 +60,11 @@ followNeighbors (const DataTerm& data,
     double lowest = std::numeric_limits<double>::infinity();
     int best = state.body_of[k];
     for (const Leader& leader : leaders[k]) {
-      const double cost =
-          data.probe (static_cast<int> (k), state.poses[leader.body]).cost;
+      double cost = 0.0;
+      for (const PairTerms& pair : terms)
+        cost +=
+            pair.all->probe (static_cast<int> (k), state.poses[pair.pair][leader.body])
+                .cost;
       if (cost < lowest) {
         lowest = cost;
         best = leader.body;

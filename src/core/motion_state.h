@@ -6,6 +6,7 @@
 
 #include <pcl_msf/rigid_pose.h>
 
+#include <utility>
 #include <vector>
 
 namespace pcl_msf {
@@ -32,10 +33,7 @@ struct UnpackedPose {
   {}
 };
 
-/** \brief The unknowns: a pose per body and a lifting weight per link.
- *
- * Each segment is a body of its own until bodies are merged.
- */
+/** \brief One pair's share of the unknowns: a pose per body. */
 struct MotionState {
   std::vector<int> body_of;     ///< per segment
   std::vector<RigidPose> poses; ///< per body, current_from_reference
@@ -59,6 +57,42 @@ struct MotionState {
     state.weights.assign (links, 1.0);
     return state;
   }
+};
+
+/** \brief The unknowns of Eq. 13: poses per pair and body, weights shared by all pairs.
+ *
+ * All pairs have the same bodies; each segment is a body of its own until bodies are
+ * merged. Two frames (Eq. 5) are a window of one pair. */
+struct WindowState {
+  std::vector<int> body_of;                  ///< per segment
+  std::vector<std::vector<RigidPose>> poses; ///< per pair, per body
+  std::vector<double> weights;               ///< per link
+
+  WindowState() = default;
+
+  /** \brief The window of one pair. */
+  explicit WindowState (MotionState state)
+  : body_of (std::move (state.body_of))
+  , poses{std::move (state.poses)}
+  , weights (std::move (state.weights))
+  {}
+
+  int
+  bodies () const
+  {
+    return poses.empty() ? 0 : static_cast<int> (poses[0].size());
+  }
+
+  MotionState
+  ofPair (int pair) const
+  {
+    return {body_of, poses[pair], weights};
+  }
+
+  /** \brief Bodies without segments disappear; the others are numbered in the order of
+   * the segments. \return what they were before */
+  std::vector<int>
+  renumberBodies ();
 };
 
 } // namespace pcl_msf

@@ -17,8 +17,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr double kRelativeTolerance =
-    0.01;                            // of the z-test at level 0; doubles per level
 constexpr double kSeparation = 0.2;  // mean cost that leaving all neighbours costs
 constexpr double kBackground = 0.3;  // mean cost that leaving a known background costs
 constexpr int kExposureSamples = 64; // per segment
@@ -58,15 +56,9 @@ MultiFrameSolve::MultiFrameSolve (const std::vector<RgbdFrame>& frames,
 , monitor_ (solver_)
 , scene_{frames_,
          pairs_,
-         usedPairs (pairs_, multiframe.max_span),
-         {},
-         {},
-         {},
-         {},
-         0.0,
-         {},
          segments.size(),
-         solver.threads > 0 ? static_cast<int> (solver.threads) : omp_get_max_threads()}
+         solver.threads > 0 ? static_cast<int> (solver.threads) : omp_get_max_threads(),
+         usedPairs (pairs_, multiframe.max_span)}
 {}
 
 /** The user's parameters, with progress of a stage scaled to that of the window. Once
@@ -126,11 +118,8 @@ void
 MultiFrameSolve::fitExposures (int at, const cv::Mat& labels)
 {
   const int reference = pairs_.reference();
-  PointOptions options;
-  options.noise = scene_.noise;
-  options.relative_tolerance = kRelativeTolerance * (1 << at);
+  PointOptions options = pointOptions (scene_, at);
   options.max_per_segment = kExposureSamples;
-  options.threads = scene_.threads;
   const SegmentPixels points =
       groupPixels (frames_[reference].levels()[at], labels, scene_.segments, options);
   std::vector<MatchedIntensities> matches (frames_.size());
@@ -207,60 +196,43 @@ MultiFrameSolve::round (const Round& round, double begin, double end)
   fitExposures (at, labels[pairs_.reference()]);
   if (round.place == Round::Last)
     fuseDepth();
-  level_ = std::make_unique<MultiFrameLevel> (
-      scene_, at, labels, energy_, kRelativeTolerance * (1 << at));
-  if (round.place == Round::First && user_.merge_bodies)
-    mergeAtStart (*level_);
+  level_ = std::make_unique<WindowLevel> (scene_, at, labels, energy_);
+  // What the start leaves apart may be one over all pairs: textureless pieces of one
+  // surface, which the solve would let drift.
+  if (round.place == Round::First && user_.merge_bodies) {
+    level_->sweep (state_, DataTerm::Pass::Linearize);
+    merge();
+  }
   if (round.place != Round::First)
     level_->sharpenRigidBodies (state_);
-  MultiFrameEnergy energy (
-      *level_, scene_, energy_, multiframe_.concatenation_weight, state_);
+  Energy energy (*level_, scene_, energy_, multiframe_.concatenation_weight, state_);
   monitor_.enter ("window", at, begin, end, round.iterations);
   SolverParameters solver = solver_;
   solver.function_tolerance *= kToleranceShare;
   solver.max_iterations = cancelled_ ? 0 : round.iterations;
-  const SolveOutcome outcome = energy.minimize (solver, monitor_, state_);
+  const SolveOutcome outcome = minimize (energy, solver, monitor_, state_);
   report_.initial_cost = outcome.initial;
   report_.final_cost = outcome.final;
   report_.converged = outcome.settled();
-  if (round.place != Round::Last && user_.merge_bodies)
-    mergeAndReassign (*level_);
-}
-
-/** The used pairs at a level, as the steps that form bodies see them. */
-std::vector<PairTerms>
-MultiFrameSolve::pairTerms (const MultiFrameLevel& level) const
-{
-  std::vector<PairTerms> terms;
-  for (const int p : scene_.used) {
-    const DataTerm& data = level.data (p);
-    const bool own = pairs_[p].from == pairs_.reference();
-    terms.push_back ({p,
-                      &data,
-                      own ? &level.probes (p) : nullptr,
-                      residualScale (energy_, data.pixels())});
+  if (round.place != Round::Last && user_.merge_bodies) {
+    merge();
+    reassign();
   }
-  return terms;
-}
-
-/** What the start leaves apart may be one over all pairs: textureless pieces of one
- * surface, which the solve would let drift. */
-void
-MultiFrameSolve::mergeAtStart (MultiFrameLevel& level)
-{
-  level.sweep (state_, DataTerm::Pass::Linearize);
-  mergeBodies (pairTerms (level), pairs_.frames(), scene_.links, {}, state_);
 }
 
 void
-MultiFrameSolve::mergeAndReassign (MultiFrameLevel& level)
+MultiFrameSolve::merge()
 {
-  const std::vector<PairTerms> terms = pairTerms (level);
-  mergeBodies (terms, pairs_.frames(), scene_.links, {}, state_);
+  mergeBodies (level_->terms(), pairs_.frames(), scene_.links, {}, state_);
+}
+
+void
+MultiFrameSolve::reassign()
+{
   AssignmentRules rules;
   rules.separation = kSeparation;
   rules.background = multiframe_.static_background ? kBackground : 0.0;
-  reassignBodies (terms, scene_.links, rules, scene_.threads, state_);
+  reassignBodies (level_->terms(), scene_.links, rules, scene_.threads, state_);
 }
 
 } // namespace pcl_msf

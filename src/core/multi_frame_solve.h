@@ -2,9 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "core/multi_frame_energy.h"
+#include "core/minimize.h"
 #include "core/multi_frame_start.h"
-#include "core/pair_terms.h"
 #include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/oversegmentation.h>
 
@@ -54,12 +53,10 @@ private:
   fuseDepth ();
   void
   round (const Round& round, double begin, double end);
-  std::vector<PairTerms>
-  pairTerms (const MultiFrameLevel& level) const;
   void
-  mergeAtStart (MultiFrameLevel& level);
+  merge ();
   void
-  mergeAndReassign (MultiFrameLevel& level);
+  reassign ();
   MultiframeSceneFlow
   finish ();
   SceneFlow
@@ -78,9 +75,9 @@ private:
   bool cancelled_{false};
   const SolverParameters solver_;
   SolveMonitor monitor_;
-  MultiFrameScene scene_;
-  MultiFrameState state_;
-  std::unique_ptr<MultiFrameLevel> level_; ///< of the last round
+  WindowScene scene_;
+  WindowState state_;
+  std::unique_ptr<WindowLevel> level_; ///< of the last round
   Report report_;
 };
 

@@ -101,14 +101,15 @@ MultiFrameStart::solveStep (int from, int to, const RigidPose& guess)
     solver.max_seconds = std::max (1e-6, clock_.secondsLeft());
   TwoFrameSolve solve (frames_[from], frames_[to], carried, energy_, solver);
   solve.solve (guess, kFinestLevel);
+  const MotionState found = solve.state().ofPair (0);
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    step.poses[seen[i]] = solve.state().poseOf (static_cast<int> (i));
-    step.body[seen[i]] = solve.state().body_of[i];
+    step.poses[seen[i]] = found.poseOf (static_cast<int> (i));
+    step.body[seen[i]] = found.body_of[i];
   }
   if (from == pairs_.reference() && solve.links().size() == links_.size())
     for (std::size_t i = 0; i < links_.size(); ++i) {
       const bool one_body = step.body[links_[i].first] == step.body[links_[i].second];
-      link_weights_[i] = one_body ? 1.0 : solve.state().weights[i];
+      link_weights_[i] = one_body ? 1.0 : found.weights[i];
     }
   fillUnseen (step);
   noise_.intensity = std::max (noise_.intensity, solve.noise().intensity);
@@ -206,10 +207,10 @@ MultiFrameStart::compose (int from, int to)
 
 /** Segments on their own: what moved together from frame to frame may part over the
  * whole window. */
-MultiFrameState
+WindowState
 MultiFrameStart::state() const
 {
-  MultiFrameState state;
+  WindowState state;
   for (int k = 0; k < segments_.size(); ++k)
     state.body_of.push_back (k);
   for (int p = 0; p < pairs_.count(); ++p) {

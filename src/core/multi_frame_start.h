@@ -4,9 +4,8 @@
 
 #include "core/frame_pairs.h"
 #include "core/motion_state.h"
-#include "core/multi_frame_level.h"
-#include "core/multi_frame_state.h"
 #include "core/solve_monitor.h"
+#include "core/window_level.h"
 #include <pcl_msf/oversegmentation.h>
 #include <pcl_msf/parameters.h>
 
@@ -39,7 +38,7 @@ public:
   run (const RigidPose& guess, const std::vector<KnownStep>& known);
 
   /** \brief One body per segment, poses of non-adjacent pairs by concatenation. */
-  MultiFrameState
+  WindowState
   state () const;
 
   const std::vector<BrightnessChange>&

@@ -4,6 +4,10 @@
 
 #include "core/data_term.h"
 
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
 namespace pcl_msf {
 
 /** \brief One pair of frames, as the steps that form bodies see it. */
@@ -15,5 +19,17 @@ struct PairTerms {
                           ///< don't start at the reference
   double residual_scale;  ///< energy times this = sum of 1/2 (residual / sigma)^2
 };
+
+/** \brief Those whose points are the segments' own, not carried to another frame. */
+inline std::vector<PairTerms>
+fromReference (const std::vector<PairTerms>& terms)
+{
+  std::vector<PairTerms> own;
+  std::copy_if (terms.begin(),
+                terms.end(),
+                std::back_inserter (own),
+                [] (const PairTerms& t) { return t.sample != nullptr; });
+  return own;
+}
 
 } // namespace pcl_msf

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/pose_proposals.h"
 
+#include "core/pose_coupling.h"
+
 #include <algorithm>
 
 namespace pcl_msf {
@@ -14,12 +16,18 @@ constexpr double kClearlyBetter = 0.995; // a change must lower the cost by this
 
 } // namespace
 
-PoseProposals::PoseProposals (JointEnergy& energy,
+PoseProposals::PoseProposals (const DataTerm& probes,
                               const std::vector<SegmentLink>& links,
+                              const EnergyParameters& energy,
+                              double focal_length,
                               int threads)
-: energy_ (energy), threads_ (threads)
+: probes_ (probes)
+, links_ (links)
+, energy_ (energy)
+, focal_length_ (focal_length)
+, threads_ (threads)
 {
-  const int segments = energy.data().pixels().segments();
+  const int segments = probes.pixels().segments();
   neighbors_.resize (segments);
   own_.resize (segments);
   for (std::size_t i = 0; i < links.size(); ++i) {
@@ -28,47 +36,61 @@ PoseProposals::PoseProposals (JointEnergy& energy,
   }
 }
 
+/** gamma |d|^2 of a link (Eq. 10 at full weight). */
 double
-PoseProposals::cost (int segment, const RigidPose& pose, const MotionState& state) const
+PoseProposals::misfit (int link,
+                       const UnpackedPose& first,
+                       const UnpackedPose& second) const
 {
-  const DataTerm::Probe probe = energy_.data().probe (segment, pose);
+  const SegmentLink& l = links_[link];
+  const double unit = focal_length_ / std::max (l.midpoint.z(), 1e-3);
+  return energy_.regularizer_weight *
+         poseDifference (first, second, l, unit, energy_.pose_difference).squaredNorm();
+}
+
+/** Data cost, and Eq. 10 and 11 of the segment's links at their best weights. */
+double
+PoseProposals::cost (int segment, const RigidPose& pose) const
+{
+  const DataTerm::Probe probe = probes_.probe (segment, pose);
   const UnpackedPose own (pose);
+  const double eta = energy_.prior_weight;
   double sum = probe.cost;
   double support = 0.0; // the strongest connection to a neighbour that is seen
   for (const Neighbor& n : neighbors_[segment]) {
-    const UnpackedPose& other = present_[state.body_of[n.segment]];
-    sum += energy_.couplingCost (n.link, own, other);
+    const double m = misfit (n.link, own, present_[n.segment]);
+    sum += 0.5 * m * eta / ((m + eta) * links_.size());
     if (seen_[n.segment])
-      support = std::max (support, energy_.linkStrength (n.link, own, other));
+      support = std::max (support, eta / (m + eta));
   }
-  return sum + probe.weight * probe.hidden * (1.0 - support) *
-                   energy_.data().unsupportedCost();
+  return sum +
+         probe.weight * probe.hidden * (1.0 - support) * probes_.unsupportedCost();
 }
 
 void
-PoseProposals::lookWhoIsSeen (const MotionState& state)
+PoseProposals::lookWhoIsSeen (const std::vector<RigidPose>& poses)
 {
   const int segments = static_cast<int> (own_.size());
-  present_ = std::vector<UnpackedPose> (state.poses.begin(), state.poses.end());
+  present_ = std::vector<UnpackedPose> (poses.begin(), poses.end());
   seen_.assign (segments, 0);
 #pragma omp parallel for schedule(dynamic, 8) num_threads(threads_)
   for (int k = 0; k < segments; ++k)
-    seen_[k] = energy_.data().probe (k, state.poseOf (k)).hidden < kMostlyHidden;
+    seen_[k] = probes_.probe (k, poses[k]).hidden < kMostlyHidden;
 }
 
 bool
 PoseProposals::improve (int segment,
-                        const MotionState& state,
+                        const std::vector<RigidPose>& poses,
                         bool first,
                         RigidPose& pose) const
 {
-  double best = kClearlyBetter * cost (segment, pose, state);
+  double best = kClearlyBetter * cost (segment, pose);
   bool changed = false;
-  const double alone = kOwnWay * energy_.data().totalWeight (segment);
+  const double alone = kOwnWay * probes_.totalWeight (segment);
   const auto offer = [&] (const RigidPose& candidate, double extra) {
     if (candidate.parameters == pose.parameters)
       return;
-    const double c = cost (segment, candidate, state) + extra;
+    const double c = cost (segment, candidate) + extra;
     if (c < best) {
       best = c;
       pose = candidate;
@@ -76,7 +98,7 @@ PoseProposals::improve (int segment,
     }
   };
   for (const Neighbor& n : neighbors_[segment])
-    offer (state.poseOf (n.segment), 0.0);
+    offer (poses[n.segment], 0.0);
   if (first) {
     for (const RigidPose& candidate : own_[segment])
       offer (candidate, alone);
@@ -87,18 +109,18 @@ PoseProposals::improve (int segment,
 }
 
 int
-PoseProposals::run (int rounds, MotionState& state)
+PoseProposals::run (int rounds, std::vector<RigidPose>& poses)
 {
   const int segments = static_cast<int> (own_.size());
   int total = 0;
   for (int round = 0; round < rounds; ++round) {
-    lookWhoIsSeen (state);
-    std::vector<RigidPose> next = state.poses;
+    lookWhoIsSeen (poses);
+    std::vector<RigidPose> next = poses;
     int changes = 0;
 #pragma omp parallel for schedule(dynamic, 8) num_threads(threads_) reduction(+ : changes)
     for (int k = 0; k < segments; ++k)
-      changes += improve (k, state, round == 0, next[k]) ? 1 : 0;
-    state.poses.swap (next);
+      changes += improve (k, poses, round == 0, next[k]) ? 1 : 0;
+    poses.swap (next);
     total += changes;
     if (changes == 0)
       break;

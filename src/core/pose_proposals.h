@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "core/joint_solver.h"
+#include "core/data_term.h"
 #include "core/motion_state.h"
+#include <pcl_msf/parameters.h>
 
 #include <vector>
 
@@ -18,8 +19,12 @@ namespace pcl_msf {
  */
 class PoseProposals {
 public:
-  PoseProposals (JointEnergy& energy,
+  /** \param probes sampled points of a level \param focal_length of the level, pixels
+   */
+  PoseProposals (const DataTerm& probes,
                  const std::vector<SegmentLink>& links,
+                 const EnergyParameters& energy,
+                 double focal_length,
                  int threads);
 
   void
@@ -33,10 +38,10 @@ public:
     own_[segment].push_back (pose);
   }
 
-  /** \brief Runs rounds until nobody moves. The state must have one body per segment.
+  /** \brief Runs rounds until nobody moves. \param poses per segment
    * \return how many changes were made */
   int
-  run (int rounds, MotionState& state);
+  run (int rounds, std::vector<RigidPose>& poses);
 
 private:
   struct Neighbor {
@@ -45,18 +50,26 @@ private:
   };
 
   double
-  cost (int segment, const RigidPose& pose, const MotionState& state) const;
+  misfit (int link, const UnpackedPose& first, const UnpackedPose& second) const;
+  double
+  cost (int segment, const RigidPose& pose) const;
   void
-  lookWhoIsSeen (const MotionState& state);
+  lookWhoIsSeen (const std::vector<RigidPose>& poses);
   bool
-  improve (int segment, const MotionState& state, bool first, RigidPose& pose) const;
+  improve (int segment,
+           const std::vector<RigidPose>& poses,
+           bool first,
+           RigidPose& pose) const;
 
-  JointEnergy& energy_;
-  int threads_;
+  const DataTerm& probes_;
+  const std::vector<SegmentLink>& links_;
+  const EnergyParameters& energy_;
+  const double focal_length_;
+  const int threads_;
   std::vector<std::vector<Neighbor>> neighbors_;
   std::vector<std::vector<RigidPose>> own_;
   std::vector<RigidPose> common_;
-  std::vector<UnpackedPose> present_; ///< poses of the round's state
+  std::vector<UnpackedPose> present_; ///< poses of the round
   std::vector<char> seen_; ///< per segment: mostly visible at its present pose
 };
 

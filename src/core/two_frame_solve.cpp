@@ -3,7 +3,7 @@
 #include "core/two_frame_solve.h"
 
 #include "core/body_assignment.h"
-#include "core/body_noise.h"
+#include "core/body_merging.h"
 #include "core/dense_points.h"
 #include "core/dense_result.h"
 #include "core/hidden_segments.h"
@@ -15,8 +15,7 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kCoarsestLevel = 2;           // the first joint solve
-constexpr double kRelativeTolerance = 0.01; // of the z-test; doubles per level
+constexpr int kCoarsestLevel = 2; // the first joint solve
 constexpr double kLeastIntensityNoise = 0.005;
 constexpr double kModelError = 0.15; // pixels that rigid segments leave unexplained
 constexpr double kRelativeDepthNoise = 0.003; // of inverse depth, beside the noise
@@ -36,16 +35,15 @@ TwoFrameSolve::TwoFrameSolve (const RgbdFrame& reference,
                               const Oversegmentation& segments,
                               const EnergyParameters& energy,
                               const SolverParameters& solver)
-: reference_ (reference)
-, current_ (current)
+: frames_{reference, current}
 , segments_ (segments)
 , energy_ (energy)
 , solver_ (solver)
-, threads_ (threadCount (solver.threads))
 , levels_ (std::min<int> ({solver.levels,
                            static_cast<int> (reference.levels().size()),
                            static_cast<int> (current.levels().size())}))
 , monitor_ (solver_)
+, scene_{frames_, pairs_, segments.size(), threadCount (solver.threads), {0}}
 {}
 
 SceneFlow
@@ -76,94 +74,88 @@ TwoFrameSolve::prepare()
   labels_.push_back (segments_.labels());
   for (int level = 1; level < levels_; ++level)
     labels_.push_back (halveLabels (labels_.back()));
-  noise_.inverse_depth =
-      std::max (reference_.inverseDepthNoise(), current_.inverseDepthNoise());
-  noise_.intensity = std::max (
-      {reference_.intensityNoise(), current_.intensityNoise(), kLeastIntensityNoise});
-  noise_.displacement = kModelError;
-  noise_.relative_depth = kRelativeDepthNoise;
+  const RgbdFrame& reference = frames_[0];
+  const RgbdFrame& current = frames_[1];
+  scene_.noise.inverse_depth =
+      std::max (reference.inverseDepthNoise(), current.inverseDepthNoise());
+  scene_.noise.intensity = std::max (
+      {reference.intensityNoise(), current.intensityNoise(), kLeastIntensityNoise});
+  scene_.noise.displacement = kModelError;
+  scene_.noise.relative_depth = kRelativeDepthNoise;
 }
 
-LevelData
-TwoFrameSolve::levelData (int level, bool with_pixels) const
-{
-  return LevelData (reference_.levels()[level],
-                    current_.levels()[level],
-                    labels_[level],
-                    segments_.size(),
-                    noise_,
-                    kRelativeTolerance * (1 << level),
-                    change_,
-                    with_pixels,
-                    threads_);
-}
-
-/** Minimizes Eq. 5 on a level; at the two finest, segments that move as one merge. */
+/** Minimizes Eq. 5 on the present level. */
 void
-TwoFrameSolve::refine (int at)
+TwoFrameSolve::minimize (int iterations)
 {
-  LevelData level = levelData (at, true);
-  DataTerm data (
-      level.pixels, level.texture, makeRules (energy_, level.pixels), threads_);
-  JointEnergy energy (data, links_, energy_, level.focal_length);
-  if (at < kCoarsestLevel && state_.poses.size() == state_.body_of.size())
-    propose (level, FlowHypotheses{}, kLaterRounds);
-  // The finest level is about half of the work, the start a fifth.
-  const double begin = at == 0 ? 0.5 : 0.5 - 0.15 * at;
-  monitor_.enter (
-      "solve", at, begin, begin + (at == 0 ? 0.3 : 0.15), solver_.max_iterations);
-  SolveOutcome outcome = energy.minimize (solver_, monitor_, state_);
-  if (solver_.merge_bodies && at < kCoarsestLevel) {
-    mergeAndReassign (energy, level);
-    if (at == 0) {
-      sharpenRigidBodies (data, state_, threads_, level.pixels);
-      SolverParameters last = solver_;
-      last.max_iterations = std::min (solver_.max_iterations, kLastIterations);
-      monitor_.enter ("bodies", at, 0.8, 1.0, last.max_iterations);
-      outcome = energy.minimize (last, monitor_, state_);
-    }
-  }
-  if (at == 0) {
-    if (followNeighbors (data, links_, state_) > 0)
-      data.sweep (state_, DataTerm::Pass::Linearize);
-    if (solver_.merge_bodies)
-      merge (level, data);
-    energy.relaxWeights (state_);
-    finest_ = std::make_unique<LevelData> (std::move (level));
-  }
+  Energy energy (*level_, scene_, energy_, 0.0, state_);
+  SolverParameters solver = solver_;
+  solver.max_iterations = iterations;
+  const SolveOutcome outcome = pcl_msf::minimize (energy, solver, monitor_, state_);
   report_.initial_cost = outcome.initial;
   report_.final_cost = outcome.final;
   report_.converged = outcome.settled();
 }
 
+/** Solves a level; at the two finest, segments that move as one merge. */
 void
-TwoFrameSolve::merge (const LevelData& level, const DataTerm& data)
+TwoFrameSolve::refine (int at)
 {
-  state_ =
-      mergeBodies (data, residualScale (energy_, level.pixels), links_, {}, state_);
+  level_ = std::make_unique<WindowLevel> (
+      scene_, at, std::vector<cv::Mat>{labels_[at], {}}, energy_);
+  if (at < kCoarsestLevel && state_.bodies() == scene_.segments)
+    propose (level_->probes (0), level_->focalLength(), {}, kLaterRounds);
+  // The finest level is about half of the work, the start a fifth.
+  const double begin = at == 0 ? 0.5 : 0.5 - 0.15 * at;
+  monitor_.enter (
+      "solve", at, begin, begin + (at == 0 ? 0.3 : 0.15), solver_.max_iterations);
+  minimize (solver_.max_iterations);
+  if (solver_.merge_bodies && at < kCoarsestLevel) {
+    merge();
+    reassignBodies (level_->terms(), scene_.links, {}, scene_.threads, state_);
+  }
+  if (at == 0)
+    finishBodies();
+}
+
+/** The last steps at the finest level. */
+void
+TwoFrameSolve::finishBodies()
+{
+  if (solver_.merge_bodies) {
+    level_->sharpenRigidBodies (state_);
+    const int iterations = std::min (solver_.max_iterations, kLastIterations);
+    monitor_.enter ("bodies", 0, 0.8, 1.0, iterations);
+    minimize (iterations);
+  }
+  if (followNeighbors (level_->terms(), scene_.links, state_) > 0)
+    level_->sweep (state_, DataTerm::Pass::Linearize);
+  if (solver_.merge_bodies)
+    merge();
+  Energy (*level_, scene_, energy_, 0.0, state_).relaxWeights (state_);
 }
 
 void
-TwoFrameSolve::mergeAndReassign (JointEnergy& energy, LevelData& level)
+TwoFrameSolve::merge()
 {
-  merge (level, energy.data());
-  const DataTerm sample (
-      level.probes, level.texture, makeRules (energy_, level.probes), threads_);
-  reassignBodies (energy.data(), sample, links_, {}, threads_, state_);
+  mergeBodies (level_->terms(), pairs_.frames(), scene_.links, {}, state_);
 }
 
 void
 TwoFrameSolve::finish (SceneFlow& result)
 {
   const double before = monitor_.seconds();
-  const SegmentPixels& pixels = finest_->pixels;
-  DataTerm data (pixels, finest_->texture, makeRules (energy_, pixels), threads_);
-  data.sweep (state_, DataTerm::Pass::Linearize);
-  result.camera = reference_.camera();
+  level_->sweep (state_, DataTerm::Pass::Linearize);
+  const DataTerm& data = level_->data (0);
+  result.camera = frames_[0].camera();
   result.labels = segments_.labels();
-  fillSegments (
-      data, links_, state_, residualScale (energy_, pixels), threads_, result);
-  fillPoints (data, current_.camera(), solver_.blend_motions, threads_, result);
+  fillSegments (data,
+                scene_.links,
+                state_.ofPair (0),
+                residualScale (energy_, data.pixels()),
+                scene_.threads,
+                result);
+  fillPoints (data, frames_[1].camera(), solver_.blend_motions, scene_.threads, result);
   concludeReport (result);
   result.report.result_seconds = monitor_.seconds() - before;
 }

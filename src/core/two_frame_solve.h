@@ -2,12 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "core/body_merging.h"
 #include "core/flow_hypotheses.h"
-#include "core/joint_solver.h"
-#include "core/level_data.h"
-#include "core/segment_graph.h"
-#include "core/solve_monitor.h"
+#include "core/minimize.h"
+#include "core/window_level.h"
 #include <pcl_msf/oversegmentation.h>
 #include <pcl_msf/rgbd_frame.h>
 #include <pcl_msf/scene_flow.h>
@@ -46,7 +43,7 @@ public:
   void
   solve (const RigidPose& guess, int finest_level);
 
-  const MotionState&
+  const WindowState&
   state () const
   {
     return state_;
@@ -54,17 +51,17 @@ public:
   const std::vector<SegmentLink>&
   links () const
   {
-    return links_;
+    return scene_.links;
   }
   const NoiseModel&
   noise () const
   {
-    return noise_;
+    return scene_.noise;
   }
   const BrightnessChange&
   brightnessChange () const
   {
-    return change_;
+    return scene_.change;
   }
   const SolveMonitor&
   monitor () const
@@ -78,39 +75,38 @@ private:
   void
   start (const RigidPose& guess);
   void
-  propose (const LevelData& level, const FlowHypotheses& flow, int rounds);
+  propose (const DataTerm& probes,
+           double focal_length,
+           const FlowHypotheses& flow,
+           int rounds);
   std::vector<char>
-  unexplained (const LevelData& level) const;
+  unexplained (const DataTerm& probes) const;
   void
   refine (int level);
   void
-  merge (const LevelData& level, const DataTerm& data);
+  finishBodies ();
   void
-  mergeAndReassign (JointEnergy& energy, LevelData& level);
+  minimize (int iterations);
+  void
+  merge ();
   void
   finish (SceneFlow& result);
   void
   concludeReport (SceneFlow& result);
 
-  LevelData
-  levelData (int level, bool with_pixels) const;
-
-  const RgbdFrame& reference_;
-  const RgbdFrame& current_;
+  const std::vector<RgbdFrame> frames_; ///< reference and current
+  const FramePairs pairs_{2, 0};
   const Oversegmentation& segments_;
   const EnergyParameters energy_;
   const SolverParameters solver_;
-  const int threads_;
   const int levels_;
-  NoiseModel noise_;
   SolveMonitor monitor_;
   std::vector<cv::Mat> labels_; ///< per level
-  std::vector<SegmentLink> links_;
-  MotionState state_;
+  WindowScene scene_;
+  WindowState state_;
   std::vector<RigidPose> common_poses_; ///< that every segment may try
   std::vector<RigidPose> given_start_;  ///< in place of a search; empty = search
-  BrightnessChange change_;
-  std::unique_ptr<LevelData> finest_;
+  std::unique_ptr<WindowLevel> level_;  ///< the present one
   Report report_;
 };
 

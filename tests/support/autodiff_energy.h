@@ -213,20 +213,20 @@ addSegment (const DataTerm& data, int segment, double* pose, ceres::Problem& pro
   }
 }
 
-/** \brief The whole of Eq. 5 over a state's poses and weights, which must outlive it.
- */
+/** \brief The whole of Eq. 5 over the poses and weights of a state of one pair, which
+ * must outlive it. */
 inline std::unique_ptr<ceres::Problem>
 autodiffEnergy (const DataTerm& data,
                 const std::vector<SegmentLink>& links,
                 const EnergyParameters& energy,
                 double focal_length,
-                MotionState& state)
+                WindowState& state)
 {
   auto problem = std::make_unique<ceres::Problem>();
   for (std::size_t k = 0; k < state.body_of.size(); ++k)
     addSegment (data,
                 static_cast<int> (k),
-                state.poses[state.body_of[k]].parameters.data(),
+                state.poses[0][state.body_of[k]].parameters.data(),
                 *problem);
   const auto count = static_cast<double> (links.size());
   for (std::size_t i = 0; i < links.size(); ++i) {
@@ -242,8 +242,8 @@ autodiffEnergy (const DataTerm& data,
                              std::sqrt (energy.regularizer_weight / count),
                              std::sqrt (energy.prior_weight / count)}),
         nullptr,
-        state.poses[j].parameters.data(),
-        state.poses[h].parameters.data(),
+        state.poses[0][j].parameters.data(),
+        state.poses[0][h].parameters.data(),
         &state.weights[i]);
   }
   return problem;

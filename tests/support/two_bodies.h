@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "core/data_term.h"
+#include "core/pair_terms.h"
 #include "core/segment_graph.h"
 #include "support/analytic_scene.h"
 #include "support/points.h"
@@ -64,6 +64,13 @@ public:
   data (int threads = 1) const
   {
     return DataTerm (pixels_, *texture_, makeRules ({}, pixels_), threads);
+  }
+
+  /** \brief The one pair, as the steps that form bodies see it. */
+  std::vector<PairTerms>
+  terms (const DataTerm& data) const
+  {
+    return {{0, &data, &data, residualScale()}};
   }
 
   /** \brief Energy times this = sum of squared standard deviations, halved. */

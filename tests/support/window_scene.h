@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "core/multi_frame_energy.h"
+#include "core/energy.h"
 #include "support/analytic_scene.h"
 
 #include <algorithm>
@@ -45,13 +45,11 @@ struct EnergyWindow {
   std::vector<RgbdFrame> frames;
   std::vector<cv::Mat> labels;
   FramePairs pairs;
-  MultiFrameScene window;
-  MultiFrameState state;
+  WindowScene window;
+  WindowState state;
 
   EnergyWindow (const AnalyticScene& analytic, int count, int reference)
-  : scene (analytic)
-  , pairs (count, reference)
-  , window{frames, pairs, {}, {}, {}, {}, {}, 0.0, NoiseModel{}, 2, 1}
+  : scene (analytic), pairs (count, reference), window{frames, pairs, 2, 1}
   {
     FrameParameters plain;
     plain.smoothing_sigma = 0.0;
@@ -62,7 +60,6 @@ struct EnergyWindow {
       label.setTo (-1, label > 1);
       labels.push_back (label);
     }
-    window.exposure.resize (count);
     for (int p = 0; p < pairs.count(); ++p)
       window.used.push_back (p);
     PointOptions options;

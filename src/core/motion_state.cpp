@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "core/multi_frame_state.h"
+#include "core/motion_state.h"
 
 namespace pcl_msf {
 
 std::vector<int>
-MultiFrameState::renumberBodies()
+WindowState::renumberBodies()
 {
   std::vector<int> index (bodies(), -1);
   std::vector<int> before;

@@ -2,13 +2,13 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "core/multi_frame_problem.h"
+#include "core/minimize.h"
 #include "support/autodiff_energy.h"
+#include "support/kept_problem.h"
 #include "support/window_scene.h"
-#include <ceres/crs_matrix.h>
 #include <ceres/rotation.h>
 
-// The multiframe energy: residuals counted as in Eq. 15, and the compressed blocks
+// The energy of a window: residuals counted as in Eq. 15, and the compressed blocks
 // against one automatically differentiated residual per pixel, body and link.
 
 namespace {
@@ -49,16 +49,16 @@ protected:
   make (int frames, int reference)
   {
     scene_ = std::make_unique<test::EnergyWindow> (twoPlanes(), frames, reference);
-    level_ = std::make_unique<MultiFrameLevel> (
-        scene_->window, 0, scene_->labels, parameters_, 0.01);
-    energy_ = std::make_unique<MultiFrameEnergy> (
+    level_ =
+        std::make_unique<WindowLevel> (scene_->window, 0, scene_->labels, parameters_);
+    energy_ = std::make_unique<Energy> (
         *level_, scene_->window, parameters_, kLambda, scene_->state);
   }
 
   const EnergyParameters parameters_ = energyParameters();
   std::unique_ptr<test::EnergyWindow> scene_;
-  std::unique_ptr<MultiFrameLevel> level_;
-  std::unique_ptr<MultiFrameEnergy> energy_;
+  std::unique_ptr<WindowLevel> level_;
+  std::unique_ptr<Energy> energy_;
 };
 
 TEST_F (Window, CountsResidualsAsEquation15)
@@ -95,7 +95,7 @@ TEST_F (Window, TrueMotionsCostLeast)
   const double best = energy_->evaluate (scene_->state).total();
   EXPECT_NEAR (energy_->evaluate (scene_->state).concatenation, 0.0, 1e-15);
   for (std::size_t p = 0; p < scene_->state.poses.size(); ++p) {
-    MultiFrameState off = scene_->state;
+    WindowState off = scene_->state;
     off.poses[p][1].parameters[3] += 0.01;
     EXPECT_GT (energy_->evaluate (off).total(), best) << p;
   }
@@ -149,38 +149,22 @@ shapeOf (const SegmentPixels& points, int segment)
   return shape;
 }
 
-struct Evaluation {
-  double cost{0.0};
-  Eigen::VectorXd gradient;
-  Eigen::MatrixXd gauss_newton;
-};
-
-Evaluation
-evaluate (ceres::Problem& problem, MultiFrameState& state)
+std::vector<double*>
+unknowns (WindowState& state)
 {
-  ceres::Problem::EvaluateOptions options;
+  std::vector<double*> blocks;
   for (auto& poses : state.poses)
     for (RigidPose& pose : poses)
-      options.parameter_blocks.push_back (pose.parameters.data());
-  options.parameter_blocks.push_back (&state.weights[0]);
-  Evaluation result;
-  std::vector<double> gradient;
-  ceres::CRSMatrix crs;
-  EXPECT_TRUE (problem.Evaluate (options, &result.cost, nullptr, &gradient, &crs));
-  result.gradient = Eigen::Map<Eigen::VectorXd> (gradient.data(), gradient.size());
-  Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero (crs.num_rows, crs.num_cols);
-  for (int r = 0; r < crs.num_rows; ++r)
-    for (int i = crs.rows[r]; i < crs.rows[r + 1]; ++i)
-      jacobian (r, crs.cols[i]) = crs.values[i];
-  result.gauss_newton = jacobian.transpose() * jacobian;
-  return result;
+      blocks.push_back (pose.parameters.data());
+  blocks.push_back (&state.weights[0]);
+  return blocks;
 }
 
 TEST_F (Window, AgreesWithOneAutomaticResidualPerPixel)
 {
   make (3, 0);
-  MultiFrameState& state = scene_->state;
-  const MultiFrameState truth = state;
+  WindowState& state = scene_->state;
+  const WindowState truth = state;
   for (std::size_t p = 0; p < state.poses.size(); ++p)
     for (int b = 0; b < 2; ++b)
       for (int i = 0; i < 6; ++i)
@@ -188,7 +172,6 @@ TEST_F (Window, AgreesWithOneAutomaticResidualPerPixel)
   level_->sweep (state, DataTerm::Pass::Linearize); // finds the correspondences
   ceres::Problem plain;
   for (const int p : scene_->window.used) {
-    level_->data (p).setDoublePrecision (true);
     for (int k = 0; k < 2; ++k)
       test::addSegment (
           level_->data (p), k, state.poses[p][k].parameters.data(), plain);
@@ -226,10 +209,9 @@ TEST_F (Window, AgreesWithOneAutomaticResidualPerPixel)
         state.poses[first][b].parameters.data(),
         state.poses[second][b].parameters.data());
   }
-  MultiFrameProblem compressed (*energy_, state);
-  compressed.keepCorrespondences (true);
-  const Evaluation a = evaluate (compressed.problem(), state);
-  const Evaluation b = evaluate (plain, state);
+  test::KeptProblem compressed (*energy_, state);
+  const auto a = test::evaluate (compressed.problem(), unknowns (state));
+  const auto b = test::evaluate (plain, unknowns (state));
   EXPECT_GT (b.cost, 0.0);
   EXPECT_NEAR (a.cost, b.cost, 1e-10 * b.cost);
   EXPECT_LT ((a.gradient - b.gradient).norm(), 1e-8 * b.gradient.norm());
@@ -240,7 +222,7 @@ TEST_F (Window, OptimumIsNearTheTruthFromBesideIt)
 {
   for (const int reference : {0, 1}) {
     make (3, reference);
-    MultiFrameState state = scene_->state;
+    WindowState state = scene_->state;
     for (std::size_t p = 0; p < state.poses.size(); ++p)
       for (RigidPose& pose : state.poses[p])
         pose.parameters[3] += p % 2 ? 0.008 : -0.008;
@@ -248,7 +230,7 @@ TEST_F (Window, OptimumIsNearTheTruthFromBesideIt)
     solver.max_iterations = 20;
     solver.function_tolerance = 1e-8;
     SolveMonitor monitor (solver);
-    const SolveOutcome outcome = energy_->minimize (solver, monitor, state);
+    const SolveOutcome outcome = minimize (*energy_, solver, monitor, state);
     EXPECT_LT (outcome.final.total(), outcome.initial.total());
     for (std::size_t p = 0; p < state.poses.size(); ++p)
       for (int b = 0; b < 2; ++b) {
