@@ -336,32 +336,4 @@ TEST_F (Objects, HeaderAndSensorPoseAreTheSources)
   expectSources (failed);
 }
 
-TEST_F (Objects, ZeroIsNoPointEither)
-{
-  const auto punch = [this] (float value) {
-    for (const Cloud::Ptr& cloud : {source_, target_})
-      for (int v = 0; v < kHeight; ++v)
-        for (int u = 0; u < kWidth; ++u)
-          if ((u / 16 + v / 16) % 5 == 0)
-            (*cloud) (u, v).getVector3fMap().setConstant (value);
-  };
-  Registration nan, zero;
-  punch (std::nanf (""));
-  give (nan);
-  nan.align (output_);
-  const double base_fitness = baseFitness (nan);
-  for (const float value : {0.0F, -1.0F}) {
-    punch (value);
-    give (zero);
-    zero.align (output_);
-    ASSERT_TRUE (zero.hasConverged());
-    for (const auto& pair : zero.getCorrespondences())
-      ASSERT_GT ((*target_)[pair.index_match].z, 0.0F);
-    EXPECT_EQ (zero.getCorrespondences().size(), nan.getCorrespondences().size());
-    EXPECT_EQ (zero.getFitnessScore(), nan.getFitnessScore());
-    EXPECT_EQ (baseFitness (zero), base_fitness);
-    EXPECT_TRUE (std::isnan (output_ (2, 2).x));
-  }
-}
-
 } // namespace
