@@ -90,6 +90,7 @@ struct SmallScene {
           point.r = point.g = point.b = bgr.at<cv::Vec3b> (row, col)[0];
         }
       cloud.is_dense = false;
+      cloud.sensor_origin_ = {frame + 1.0F, 0.0F, 0.0F, 0.0F};
       pcl::io::savePCDFileBinary (folder ("k" + std::to_string (frame) + ".pcd"),
                                   cloud);
     }

@@ -177,4 +177,50 @@ TEST (LazyKdTree, QueriesWithoutAnAnswerFindNothing)
   EXPECT_EQ (tree.nearestKSearch (pcl::PointXYZ(), 1, indices, distances), 1);
 }
 
+TEST (LazyKdTree, WithAQueryCameraPointsWithoutDepthDoNotCount)
+{
+  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>>();
+  cloud->assign ({{0.0f, 0.0f, 0.0f}, {1.0f, 0.0f, 2.0f}, {1.0f, 0.0f, -2.0f}}, 3);
+  LazyKdTree<pcl::PointXYZ> tree;
+  tree.setInputCloud (cloud);
+  pcl::Indices indices;
+  std::vector<float> distances;
+  const pcl::PointXYZ query (0.1f, 0.0f, 0.1f);
+  tree.nearestKSearch (query, 1, indices, distances);
+  EXPECT_EQ (indices.at (0), 0) << "any point";
+  Eigen::Matrix4f pose = Eigen::Matrix4f::Identity();
+  tree.setQueryCamera (pose);
+  EXPECT_FALSE (tree.isBuilt());
+  EXPECT_EQ (tree.nearestKSearch (query, 3, indices, distances), 1);
+  EXPECT_EQ (indices.at (0), 1);
+  EXPECT_EQ (tree.radiusSearch (query, 1.0, indices, distances), 0);
+  pose.col (3) << 0.1f, 0.0f, 0.1f, 1.0f; // the query is where its camera stood
+  tree.setQueryCamera (pose);
+  EXPECT_EQ (tree.nearestKSearch (query, 1, indices, distances), 0);
+  EXPECT_EQ (distances.at (0), INFINITY);
+  EXPECT_EQ (tree.radiusSearch (query, 9.0, indices, distances), 0);
+}
+
+TEST (LazyKdTree, KeepsItsSettingsAndCopiesThem)
+{
+  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (
+      3, 1, pcl::PointXYZ (0.0f, 0.0f, 1.0f));
+  const auto chosen = pcl::make_shared<pcl::Indices> (pcl::Indices{1, 7});
+  LazyKdTree<pcl::PointXYZ> tree;
+  tree.setEpsilon (0.5f);
+  tree.setInputCloud (cloud, chosen);
+  pcl::Indices indices;
+  std::vector<float> distances;
+  EXPECT_EQ (tree.nearestKSearch ((*cloud)[0], 2, indices, distances), 1)
+      << "7 is none";
+  const auto copy = LazyKdTree<pcl::PointXYZ>::copyOf (tree);
+  tree.setInputCloud (nullptr);
+  EXPECT_EQ (tree.getEpsilon(), 0.5f);
+  EXPECT_EQ (copy->getEpsilon(), 0.5f);
+  EXPECT_FALSE (copy->isBuilt());
+  EXPECT_EQ (copy->getIndices(), chosen);
+  EXPECT_EQ (copy->nearestKSearch ((*cloud)[0], 2, indices, distances), 1);
+  EXPECT_EQ (indices.at (0), 1);
+}
+
 } // namespace

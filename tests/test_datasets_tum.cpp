@@ -6,6 +6,7 @@
 #include "support/format_bytes.h"
 #include "support/small_sequence.h"
 #include <pcl_msf/io/datasets.h>
+#include <pcl_msf/io/pose_files.h>
 #include <pcl_msf/synthetic/sequence_writer.h>
 
 namespace {
@@ -115,6 +116,24 @@ TEST (Tum, InterpolatesPoses)
   EXPECT_FALSE (io::poseAt (poses, 0.999, 0.02));
   EXPECT_FALSE (io::poseAt (poses, 1.02, 0.02));
   EXPECT_FALSE (io::poseAt (poses, 1.0025, 0.005));
+}
+
+TEST (Tum, ReadsTheTrajectoriesThatResultsHave)
+{
+  const TemporaryFolder folder;
+  const std::vector<io::TimedPose> poses{{0.5, {}},
+                                         {1.5, {{0.1, 0.2, 0.3, 1.0, 2.0, 3.0}}}};
+  io::writeTrajectory (folder ("trajectory.txt"), poses);
+  const std::vector<io::TimedPose> read =
+      io::readTrajectory (folder ("trajectory.txt"));
+  ASSERT_EQ (read.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ (read[k].seconds, poses[k].seconds);
+    for (int i = 0; i < 6; ++i)
+      EXPECT_NEAR (read[k].world_from_camera.parameters[i],
+                   poses[k].world_from_camera.parameters[i],
+                   1e-6);
+  }
 }
 
 TEST (Tum, NamesWhatIsDamaged)

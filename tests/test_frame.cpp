@@ -148,6 +148,18 @@ TEST (RgbdFrame, TakesEveryKindOfColour)
   EXPECT_FALSE (RgbdFrame::fromImages ({}, depth, kCamera).hasIntensity());
 }
 
+TEST (RgbdFrame, KeepsNothingOfTheImages)
+{
+  cv::Mat depth = constant (2.0);
+  cv::Mat bgr (kHeight, kWidth, CV_8UC3, cv::Scalar (51, 51, 51));
+  const RgbdFrame frame = RgbdFrame::fromImages (bgr, depth, kCamera);
+  bgr.setTo (0); // filled anew for the next frame
+  depth.setTo (1.0);
+  EXPECT_EQ (frame.color().at<cv::Vec3b> (7, 9), cv::Vec3b (51, 51, 51));
+  EXPECT_EQ (frame.gray().at<unsigned char> (7, 9), 51);
+  EXPECT_EQ (frame.levels()[0].inverse_depth.at<float> (7, 9), 0.5f);
+}
+
 struct BadInput {
   const char* name;
   cv::Mat color, depth;

@@ -4,6 +4,7 @@
 
 #include "expect_io_error.h"
 #include "temporary_folder.h"
+#include <pcl_msf/io/cloud_files.h>
 #include <pcl_msf/io/result_files.h>
 
 #include <cmath>
@@ -67,6 +68,23 @@ TEST (SceneFlowFiles, CloudComesBack)
   ASSERT_EQ (read.segments.size(), 2U);
   EXPECT_EQ (read.segments[0].points, 16 * 24 - 1);
   EXPECT_EQ (read.segments[0].visible_points, 16 * 24 - 2);
+}
+
+TEST (SceneFlowFiles, TheViewpointStays)
+{
+  const TemporaryFolder folder;
+  const io::Viewpoint viewpoint{{1.0F, 2.0F, 3.0F}, {0.0F, 1.0F, 0.0F, 0.0F}};
+  io::writeSceneFlowCloud (folder ("s.pcd"), someFlow(), cv::Mat(), viewpoint);
+  io::writeWarpedCloud (folder ("w.pcd"), someFlow(), cv::Mat(), viewpoint);
+  for (const io::Viewpoint& read :
+       {io::readSceneFlowCloud (folder ("s.pcd")).viewpoint,
+        io::readCloudImages (folder ("w.pcd"), someFlow().camera).viewpoint}) {
+    EXPECT_EQ (read.origin, viewpoint.origin);
+    EXPECT_EQ (read.orientation, viewpoint.orientation);
+  }
+  io::writeWarpedCloud (folder ("none.pcd"), someFlow(), cv::Mat());
+  EXPECT_NE (readFile (folder ("none.pcd")).find ("VIEWPOINT 0 0 0 1 0 0 0\n"),
+             std::string::npos);
 }
 
 TEST (SceneFlowFiles, OtherCloudsAreRefused)

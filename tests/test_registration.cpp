@@ -143,6 +143,33 @@ TEST_F (RegistrationTest, PointsWithoutDepthStayNaNAndScoresStayFinite)
   EXPECT_LT (base.getFitnessScore(), 1e-3);
 }
 
+TEST_F (RegistrationTest, ZeroIsNoPointEither)
+{
+  const auto punch = [this] (float value) {
+    for (const Cloud::Ptr& cloud : {reference_, current_})
+      for (int v = 0; v < kHeight; ++v)
+        for (int u = 0; u < kWidth; ++u)
+          if ((u / 16 + v / 16) % 5 == 0)
+            (*cloud) (u, v).getVector3fMap().setConstant (value);
+    registration_->align (warped_);
+    ASSERT_TRUE (registration_->hasConverged());
+  };
+  BaseRegistration& base = *registration_;
+  punch (NAN);
+  const std::size_t pairs = registration_->getCorrespondences().size();
+  const double fitness = registration_->getFitnessScore();
+  const double base_fitness = base.getFitnessScore();
+  for (const float value : {0.0f, -1.0f}) {
+    punch (value);
+    for (const auto& pair : registration_->getCorrespondences())
+      ASSERT_GT ((*current_)[pair.index_match].z, 0.0f);
+    EXPECT_EQ (registration_->getCorrespondences().size(), pairs);
+    EXPECT_EQ (registration_->getFitnessScore(), fitness);
+    EXPECT_EQ (base.getFitnessScore(), base_fitness);
+    EXPECT_TRUE (std::isnan (warped_ (2, 2).x));
+  }
+}
+
 TEST_F (RegistrationTest, FitnessScoreIsTheMeanOverCorrespondencesInRange)
 {
   registration_->align (warped_);

@@ -167,17 +167,23 @@ TEST (RegistrationSettings, SourceNormals)
   EXPECT_FALSE (r.getSourceNormals());
 }
 
-TEST (RegistrationSettings, IndicesOfARectangleOutsideAreRefused)
+TEST (RegistrationSettings, ARectangleIsOfTheSourceOfTheMoment)
 {
   Registration r;
-  refused ("setIndices", [&] { r.setIndices (0, 0, 1, 1); }); // no source yet
-  r.setInputSource (pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (4, 3));
-  refused ("setIndices", [&] { r.setIndices (0, 0, 4, 4); });
-  refused ("setIndices",
-           [&] { r.setIndices (1, 1, std::numeric_limits<std::size_t>::max(), 1); });
+  refused ("setIndices", [&] { r.setIndices (0, 0, 0, 1); });
   EXPECT_FALSE (r.getIndices());
   r.setIndices (1, 1, 2, 2);
+  EXPECT_TRUE (r.getIndices()->empty()) << "no source yet";
+  const auto source = pcl::make_shared<pcl::PointCloud<pcl::PointXYZ>> (4, 3);
+  r.setInputSource (source);
   EXPECT_THAT (*r.getIndices(), testing::ElementsAre (5, 6, 9, 10));
+  *source = pcl::PointCloud<pcl::PointXYZ> (5, 3);
+  EXPECT_THAT (*r.getIndices(), testing::ElementsAre (6, 7, 11, 12));
+  const std::size_t huge = std::numeric_limits<std::size_t>::max();
+  r.setIndices (1, 1, huge, 1);
+  EXPECT_TRUE (r.getIndices()->empty());
+  r.setIndices (pcl::IndicesPtr());
+  EXPECT_FALSE (r.getIndices());
 }
 
 } // namespace

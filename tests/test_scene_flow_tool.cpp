@@ -145,6 +145,10 @@ TEST_F (SceneFlowTool, WritesTheSameFromClouds)
   ASSERT_EQ (done.status, 0) << done.err;
   EXPECT_EQ (done.out, "") << "--quiet";
   checkFlow (io::readFlow (folder_ ("new/out/flow_0_1.flo")));
+  for (const char* name : {"scene_flow_0_1.pcd", "warped_0_1.pcd"})
+    EXPECT_THAT (readFile (folder_ ("new/out/" + std::string (name))),
+                 HasSubstr ("VIEWPOINT 1 0 0 1 0 0 0\n"))
+        << "the reference's";
 }
 
 TEST_F (SceneFlowTool, TakesLabelsFromOutsideAndGeometryAlone)

@@ -20,7 +20,7 @@ void
 writeData (const Outcome& o, int frame, const std::filesystem::path& folder)
 {
   const SceneFlow& flow = o.result.frames[frame];
-  const cv::Mat& color = o.images[o.result.reference].color;
+  const io::RgbdImages& reference = o.images[o.result.reference];
   const std::string pair = pairName (o, frame);
   const auto path = [&] (const std::string& name, const char* type) {
     return (folder / (name + pair + type)).string();
@@ -29,9 +29,11 @@ writeData (const Outcome& o, int frame, const std::filesystem::path& folder)
   io::writeImage (path ("visibility", ".png"), flow.visibility);
   io::writeImage (path ("visible", ".png"), io::visibilityMask (flow.visibility));
   throwIfInterrupted();
-  io::writeSceneFlowCloud (path ("scene_flow", ".pcd"), flow, color);
+  io::writeSceneFlowCloud (
+      path ("scene_flow", ".pcd"), flow, reference.color, reference.viewpoint);
   throwIfInterrupted();
-  io::writeWarpedCloud (path ("warped", ".pcd"), flow, color);
+  io::writeWarpedCloud (
+      path ("warped", ".pcd"), flow, reference.color, reference.viewpoint);
 }
 
 /** What belongs to the window as a whole. */

@@ -4,6 +4,8 @@
 
 #include <pcl/search/kdtree.h>
 
+#include <Eigen/Core>
+
 #include <atomic>
 #include <mutex>
 
@@ -18,8 +20,11 @@ namespace pcl_msf {
  * Queries at points that are not finite, and queries to a cloud without finite points,
  * find nothing: they return 0 and fill the results with index -1 at infinite distance,
  * so that code which reads the first entry without looking at the count sees "too far".
+ * setQueryCamera leaves out points without depth, too.
  *
- * Queries are safe from many threads; setInputCloud is not.
+ * The first query takes the cloud as it is then; after a change in place call
+ * setInputCloud again, as every align does. Queries are safe from many threads; setters
+ * are not.
  */
 template <typename PointT>
 class LazyKdTree : public pcl::search::KdTree<PointT> {
@@ -32,10 +37,22 @@ public:
   using Base::nearestKSearch;
   using Base::radiusSearch;
 
+  /** \brief A tree of its own with the cloud and the settings of another one. */
+  static Ptr
+  copyOf (Base& other);
+
   /** \brief Remembers the cloud; forgets the tree of an earlier one. */
   void
   setInputCloud (const PointCloudConstPtr& cloud,
                  const pcl::IndicesConstPtr& indices = {}) override;
+
+  /** \brief For clouds in a camera's optical frame, which may mark points without depth
+   * by numbers such as (0, 0, 0): from now on only points of the cloud with z > 0 are
+   * found, and queries that their own camera did not see in front of it find nothing.
+   * \param cloud_from_query rigid: takes the frame of the camera that saw the query
+   * points to the cloud's frame, in which queries are given */
+  void
+  setQueryCamera (const Eigen::Matrix<float, 4, 4>& cloud_from_query);
 
   int
   nearestKSearch (const PointT& point,
@@ -61,7 +78,17 @@ private:
   /** Builds on first use. \return can anything be found? */
   bool
   build () const;
+  /** The points that can be found. */
+  pcl::IndicesPtr
+  findable () const;
+  bool
+  hasDepth (const PointT& query) const;
+  void
+  forgetTree ();
 
+  bool depth_only_{false};                ///< was setQueryCamera called?
+  Eigen::Vector3f query_origin_{0, 0, 0}; ///< place of the camera that saw the queries
+  Eigen::Vector3f query_axis_{0, 0, 1};   ///< and where it looked
   mutable std::mutex mutex_;
   mutable std::atomic<bool> built_{false};
   mutable bool has_points_{false};

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include <pcl/registration/registration.h>
-
+#include <pcl_msf/impl/independent_registration.h>
+#include <pcl_msf/impl/point_selection.h>
 #include <pcl_msf/lazy_kd_tree.h>
 #include <pcl_msf/multiframe_estimator.h>
 #include <pcl_msf/registration_settings.h>
@@ -41,7 +41,8 @@ noSceneFlow ();
  *
  * <b>Output.</b> align's cloud is the source carried to the target, each point by its
  * displacement, organized like the source; normals turn with their segments; other
- * fields are the source's. A point without depth or with unknown motion is NaN, never
+ * fields, header and sensor pose are the source's. It may be the source itself, not one
+ * of the targets. A point without depth or with unknown motion is NaN, never
  * left where it was. The one 4x4 matrix of PCL's interface is the motion of the
  * dominant motion group (the one with most points); all the rest is in getSceneFlow.
  *
@@ -56,6 +57,16 @@ noSceneFlow ();
  * take part, with all of their points, and the output holds those points alone, n x 1
  * (n of all points: organized). To leave out points exactly, use setSegmentation.
  *
+ * <b>Clouds refilled in place.</b> align judges all that must fit (indices, labels,
+ * clusters, normals, sizes) against the clouds as they are then, and hands the target
+ * to the search object anew; lists are copied when set. Results belong to the last
+ * align: it keeps a copy of its source.
+ *
+ * <b>Copies</b> start with the original's settings, clouds and result and share nothing
+ * that an align changes. A search object set with force_no_recompute is shared; any
+ * other becomes a LazyKdTree of its own with the same settings; a correspondence
+ * estimation, which is not used, is not copied.
+ *
  * <b>Convergence.</b> As with PCL's ICP, hasConverged () is true when the optimization
  * ran to its end: the energy's change fell below the tolerance, or the iteration limit
  * was reached; getReport ().stop_reason and .converged tell the two apart. It is false
@@ -67,15 +78,18 @@ noSceneFlow ();
  * getReport () repeats the message. Nothing is thrown. An empty or null cloud is not
  * taken, and the former one is dropped, so that no later align works on a stale pair;
  * getInputSource and getInputTarget then give an empty cloud, as they do at first. With
- * indices outside the source the output is empty.
+ * indices outside the source the output is empty. An output that is one of the targets
+ * is refused and left alone.
  *
  * <b>Behind a base pointer.</b> All of the above holds for a pcl::Registration pointer.
- * Only getFitnessScore differs, see there. Of the inherited settings, these have no
- * effect: RANSAC, correspondence distance, transformation and fitness epsilons,
- * estimators, rejectors, the point representation (except on the search objects).
- * setMaximumIterations bounds the steps per pyramid level, default 8. The visualization
- * callback is called once per successful align, with the warped source and the indices
- * of corresponding points in it and in the target.
+ * Only getFitnessScore differs, see there, getIndices, which gives all points there,
+ * and an output that is one of the targets, which PCL has overwritten with the source
+ * before it can be refused. Of the inherited settings, these have no effect: RANSAC,
+ * correspondence distance, transformation and fitness epsilons, estimators, rejectors,
+ * the point representation (except on the search objects). setMaximumIterations bounds
+ * the steps per pyramid level, default 8. The visualization callback is called once per
+ * successful align, with the warped source and the indices of corresponding points in
+ * it and in the target.
  *
  * No kd-tree is built unless somebody queries getSearchMethodTarget or
  * getSearchMethodSource, see LazyKdTree. An object can be used again and again; it is
@@ -86,9 +100,9 @@ noSceneFlow ();
  * headers, as for PCL.
  */
 template <typename PointT>
-class PiecewiseRigidRegistration : public pcl::Registration<PointT, PointT, float>,
+class PiecewiseRigidRegistration : public detail::IndependentRegistration<PointT>,
                                    public RegistrationSettings {
-  using Base = pcl::Registration<PointT, PointT, float>;
+  using Base = detail::IndependentRegistration<PointT>;
 
 public:
   using Ptr = pcl::shared_ptr<PiecewiseRigidRegistration<PointT>>;
@@ -138,19 +152,34 @@ public:
     return reference_;
   }
 
-  /** \brief Points of the source to work on; a null pointer = all. */
+  /** \brief Points of the source to work on; a null pointer = all. The list is copied,
+   * and judged in align. */
   void
   setIndices (const pcl::IndicesPtr& indices) override;
   void
   setIndices (const pcl::IndicesConstPtr& indices) override;
   void
   setIndices (const pcl::PointIndicesConstPtr& indices) override;
-  /** \brief A rectangle of the source, which must be set and contain it. */
+  /** \brief A rectangle of the source of that moment, judged in align; an empty one is
+   * refused. */
   void
   setIndices (std::size_t row_start,
               std::size_t col_start,
               std::size_t nb_rows,
               std::size_t nb_cols) override;
+
+  /** \brief A copy of the list that was set, or of the rectangle's points; empty when
+   * that is not inside the source. PCL's own when there is neither: null, after an
+   * align all points. */
+  pcl::IndicesPtr
+  getIndices () const;
+
+  /** \brief Registers, see above. \note Hide the base's, which run behind a base
+   * pointer, with the same result. */
+  void
+  align (PointCloudSource& output);
+  void
+  align (PointCloudSource& output, const Matrix4& guess);
 
   /** \brief Levenberg-Marquardt steps per pyramid level, >= 0, default 8. */
   void
@@ -169,8 +198,9 @@ public:
    * visible in both clouds and, as in PCL, whose squared distance is at most max_range.
    * The largest double when there are none. \note Hides the base's. Through a base
    * pointer PCL's own runs: nearest neighbours of the source moved by the dominant
-   * motion, which builds the kd-tree; NaN points, on which it would abort with PCL's
-   * own tree, do not count. */
+   * motion, which builds the kd-tree; points without depth, on which it would abort
+   * with PCL's own tree (NaN) or which it would take for points (z <= 0), do not
+   * count. */
   double
   getFitnessScore (double max_range = std::numeric_limits<double>::max());
 
@@ -228,41 +258,40 @@ protected:
   computeTransformation (PointCloudSource& output, const Matrix4& guess) override;
 
 private:
+  /** Keeps the source as it is now. \return its points to work on, which alone remain
+   * in the output \throws InvalidInput naming the remedy */
+  pcl::Indices
+  takeSource (PointCloudSource& output);
   void
-  checkInput () const;
+  checkTargets () const;
+  bool
+  isTarget (const PointCloudSource& cloud) const;
   std::vector<RgbdFrame>
   makeFrames () const;
   Oversegmentation
-  cutSegments (const RgbdFrame& reference) const;
+  cutSegments (const RgbdFrame& reference, const pcl::Indices& points) const;
   void
   minimizeEnergy (const std::vector<RgbdFrame>& frames,
                   const Oversegmentation& segments,
                   const Matrix4& guess,
                   double seconds_gone);
   void
-  take (MultiframeSceneFlow result);
-  void
-  warp (const SceneFlow& flow,
-        const pcl::Indices& indices,
-        PointCloudSource& output) const;
-  void
-  findCorrespondences (const PointCloudSource& warped);
+  findCorrespondences (const PointCloudSource& warped, const pcl::Indices& points);
   void
   publish ();
   void
+  setFinalTransformation (const Matrix4& transformation);
+  void
   fail (StopReason reason, const char* why);
   void
-  showResult (const PointCloudSource& warped) const;
-  void
-  adoptIndices ();
+  showResult (const PointCloudSource& warped, const pcl::Indices& points) const;
 
   std::vector<PointCloudTargetConstPtr> targets_; ///< in the order of time
-  PointCloudSourceConstPtr aligned_;              ///< the last align's source
+  PointCloudSourceConstPtr aligned_;              ///< the last align's source, a copy
   int reference_{0};
   MultiframeSceneFlow result_;
   int shown_{0}; ///< frame of the last target, in result_
-  pcl::IndicesPtr requested_indices_;
-  bool indices_fit_{true};
+  detail::PointSelection selection_;
 
 public:
   PCL_MAKE_ALIGNED_OPERATOR_NEW

@@ -20,8 +20,9 @@ namespace pcl_msf {
  * Clouds and settings are those of PiecewiseRigidRegistration; a setting changed
  * between clouds takes effect at the next restart. Segmentations and normals from
  * outside are not used. Without setCamera the camera is estimated from the first cloud.
- * Memory does not grow with the number of clouds. Not thread-safe; different trackers
- * are independent.
+ * Memory does not grow with the number of clouds. A cloud is copied when it is added:
+ * its object may be filled anew for the next one. Not thread-safe; different trackers,
+ * copies too, are independent.
  *
  * Instantiated as PiecewiseRigidRegistration is.
  */
@@ -64,7 +65,8 @@ public:
     return tracker_.result();
   }
 
-  /** \brief The window's reference, its oldest cloud; null before the first one. */
+  /** \brief A copy of the window's reference, its oldest cloud; null before the first
+   * one. */
   PointCloudConstPtr
   getReferenceCloud () const
   {
@@ -72,7 +74,8 @@ public:
   }
 
   /** \brief The reference carried to the newest cloud, organized; NaN where the motion
-   * is unknown. Empty before the second cloud. */
+   * is unknown; normals turn with their segments; other fields, header and sensor pose
+   * are the reference's. Empty before the second cloud. */
   PointCloud
   getWarpedCloud () const;
 

@@ -111,7 +111,11 @@ Oversegmentation::fromIndices (const std::vector<pcl::PointIndices>& clusters,
   for (std::size_t k = 0; k < clusters.size(); ++k)
     for (const int index : clusters[k].indices) {
       if (index < 0 || index >= pixels)
-        throw InvalidInput ("a cluster's index lies outside the cloud");
+        throw InvalidInput ("cluster " + std::to_string (k) + " has index " +
+                            std::to_string (index) + ", the cloud only " +
+                            std::to_string (labels.cols) + "x" +
+                            std::to_string (labels.rows) +
+                            " points: give setSegmentation the source's own clusters");
       int& label = labels.at<int> (index / labels.cols, index % labels.cols);
       if (label < 0)
         label = static_cast<int> (k);

@@ -106,7 +106,7 @@ RgbdFrame::fromImages (const cv::Mat& color,
     frame.intensity_noise_ = estimateIntensityNoise (level.intensity);
     level.intensity.convertTo (frame.gray_, CV_8U, 255.0);
     if (color.type() == CV_8UC3)
-      frame.color_ = color;
+      frame.color_ = color.clone();
     if (parameters.smoothing_sigma > 0.0)
       cv::GaussianBlur (
           level.intensity, level.intensity, {}, parameters.smoothing_sigma);

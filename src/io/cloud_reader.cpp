@@ -6,6 +6,7 @@
 
 #include "io/cloud_fields.h"
 #include "io/pcd_header.h"
+#include "io/sensor_pose.h"
 #include <pcl_msf/cloud_conversions.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/cloud_files.h>
@@ -18,14 +19,17 @@ namespace pcl_msf::io {
 namespace {
 
 pcl::PCLPointCloud2
-readBlob (const std::string& path)
+readBlob (const std::string& path,
+          Eigen::Vector4f& sensor_origin,
+          Eigen::Quaternionf& sensor_orientation)
 {
   checkPcdHeader (path);
   pcl::PCLPointCloud2 blob;
   int status = -1;
   try {
     pcl::PCDReader reader;
-    status = reader.read (path, blob);
+    int version = 0;
+    status = reader.read (path, blob, sensor_origin, sensor_orientation, version);
   }
   catch (const std::exception&) {
     status = -1;
@@ -42,10 +46,11 @@ readBlob (const std::string& path)
 pcl::PointCloud<pcl::PointXYZRGBA>::Ptr
 readOrganizedCloud (const std::string& path)
 {
-  const pcl::PCLPointCloud2 blob = readBlob (path);
+  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGBA>>();
+  const pcl::PCLPointCloud2 blob =
+      readBlob (path, cloud->sensor_origin_, cloud->sensor_orientation_);
   const CloudFields fields (blob, path);
-  pcl::PointCloud<pcl::PointXYZRGBA>::Ptr cloud (
-      new pcl::PointCloud<pcl::PointXYZRGBA> (blob.width, blob.height));
+  cloud->resize (blob.width, blob.height);
   cloud->is_dense = false;
   for (std::size_t i = 0; i < cloud->size(); ++i) {
     const unsigned char* bytes = blob.data.data() + i * blob.point_step;
@@ -70,6 +75,7 @@ readCloudImages (const std::string& path, const std::optional<PinholeCamera>& ca
   images.depth = depthImage (points);
   if (cloud->front().a != 0)
     images.color = colorImage (*cloud);
+  images.viewpoint = viewpointOf (*cloud);
   return images;
 }
 

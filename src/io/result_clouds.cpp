@@ -3,6 +3,7 @@
 #include <pcl/io/pcd_io.h>
 
 #include "io/output_file.h"
+#include "io/sensor_pose.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/result_files.h>
 #include <pcl_msf/point_types.h>
@@ -56,11 +57,13 @@ void
 writeCloud (const std::string& path,
             const SceneFlow& flow,
             const cv::Mat& color,
+            const Viewpoint& viewpoint,
             const Fill& fill)
 {
   checkResult (path, flow, color);
   pcl::PointCloud<PointT> cloud (flow.points.cols, flow.points.rows);
   cloud.is_dense = false;
+  setViewpoint (viewpoint, cloud);
   const Colors colors (color);
   for (int row = 0; row < flow.points.rows; ++row)
     for (int col = 0; col < flow.points.cols; ++col) {
@@ -94,10 +97,11 @@ setPosition (PointT& point, const cv::Vec3f& position)
 void
 writeSceneFlowCloud (const std::string& path,
                      const SceneFlow& flow,
-                     const cv::Mat& color)
+                     const cv::Mat& color,
+                     const Viewpoint& viewpoint)
 {
   writeCloud<PointXYZRGBFlow> (
-      path, flow, color, [&flow] (int row, int col, PointXYZRGBFlow& point) {
+      path, flow, color, viewpoint, [&flow] (int row, int col, PointXYZRGBFlow& point) {
         setPosition (point, flow.points.at<cv::Vec3f> (row, col));
         const auto& d = flow.displacement.at<cv::Vec3f> (row, col);
         const bool known = isFinite (d) && std::isfinite (point.z);
@@ -113,14 +117,21 @@ writeSceneFlowCloud (const std::string& path,
 }
 
 void
-writeWarpedCloud (const std::string& path, const SceneFlow& flow, const cv::Mat& color)
+writeWarpedCloud (const std::string& path,
+                  const SceneFlow& flow,
+                  const cv::Mat& color,
+                  const Viewpoint& viewpoint)
 {
-  writeCloud<pcl::PointXYZRGB> (
-      path, flow, color, [&flow] (int row, int col, pcl::PointXYZRGB& point) {
-        setPosition (point,
-                     flow.points.at<cv::Vec3f> (row, col) +
-                         flow.displacement.at<cv::Vec3f> (row, col));
-      });
+  writeCloud<pcl::PointXYZRGB> (path,
+                                flow,
+                                color,
+                                viewpoint,
+                                [&flow] (int row, int col, pcl::PointXYZRGB& point) {
+                                  setPosition (
+                                      point,
+                                      flow.points.at<cv::Vec3f> (row, col) +
+                                          flow.displacement.at<cv::Vec3f> (row, col));
+                                });
 }
 
 cv::Mat

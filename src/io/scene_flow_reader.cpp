@@ -7,6 +7,7 @@
 
 #include "io/cloud_fields.h"
 #include "io/pcd_header.h"
+#include "io/sensor_pose.h"
 #include <pcl_msf/cloud_conversions.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/result_files.h>
@@ -65,9 +66,12 @@ readPoints (const std::string& path)
 {
   checkPcdHeader (path);
   pcl::PCLPointCloud2 blob;
+  pcl::PointCloud<PointXYZRGBFlow> cloud;
   int status = -1;
   try {
-    status = pcl::PCDReader().read (path, blob);
+    int version = 0;
+    status = pcl::PCDReader().read (
+        path, blob, cloud.sensor_origin_, cloud.sensor_orientation_, version);
   }
   catch (const std::exception&) {
     status = -1;
@@ -76,7 +80,6 @@ readPoints (const std::string& path)
       blob.data.size() != std::size_t{blob.width} * blob.height * blob.point_step)
     throw IoError (path + ": points: PCL cannot read them; the file is damaged");
   requireFields (blob, path);
-  pcl::PointCloud<PointXYZRGBFlow> cloud;
   const pcl::console::VERBOSITY_LEVEL before = pcl::console::getVerbosityLevel();
   pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS); // it warns about colours
   pcl::fromPCLPointCloud2 (blob, cloud);
@@ -102,6 +105,7 @@ takePoints (const pcl::PointCloud<PointXYZRGBFlow>& cloud,
   const cv::Size size (static_cast<int> (cloud.width), static_cast<int> (cloud.height));
   flow.points = pointImage (cloud);
   stored.color = colorImage (cloud);
+  stored.viewpoint = viewpointOf (cloud);
   if (cv::countNonZero (stored.color.reshape (1) != 255) == 0)
     stored.color.release(); // written without an image
   flow.labels.create (size, CV_32SC1);

@@ -16,6 +16,14 @@ namespace pcl_msf {
 
 namespace detail {
 
+/** Was the point measured? Not when it is NaN, or (0, 0, 0), as some drivers say it. */
+template <typename PointT>
+bool
+hasDepth (const PointT& point)
+{
+  return pcl::isXYZFinite (point) && point.z > 0.0f;
+}
+
 template <typename PointT, typename Field>
 constexpr bool has_field = pcl::traits::has_field<PointT, Field>::value;
 
@@ -87,8 +95,7 @@ pointImage (const pcl::PointCloud<PointT>& cloud)
   requireOrganized (cloud, "cloud");
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   return detail::mapPoints<cv::Vec3f> (cloud, [] (const PointT& p) {
-    return pcl::isXYZFinite (p) && p.z > 0.0f ? cv::Vec3f (p.x, p.y, p.z)
-                                              : cv::Vec3f (nan, nan, nan);
+    return detail::hasDepth (p) ? cv::Vec3f (p.x, p.y, p.z) : cv::Vec3f (nan, nan, nan);
   });
 }
 

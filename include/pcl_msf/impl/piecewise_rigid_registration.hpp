@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include <pcl/type_traits.h>
-
 #include <pcl_msf/cloud_conversions.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/impl/piecewise_rigid_registration_inputs.hpp>
@@ -20,26 +18,48 @@ namespace pcl_msf {
 
 template <typename PointT>
 void
+PiecewiseRigidRegistration<PointT>::align (PointCloudSource& output)
+{
+  align (output, Matrix4::Identity());
+}
+
+template <typename PointT>
+void
+PiecewiseRigidRegistration<PointT>::align (PointCloudSource& output,
+                                           const Matrix4& guess)
+{
+  if (isTarget (output)) // the base would overwrite it
+    fail (StopReason::InvalidInput,
+          "the output is one of the targets: give another cloud");
+  else
+    Base::align (output, guess);
+}
+
+template <typename PointT>
+void
 PiecewiseRigidRegistration<PointT>::computeTransformation (PointCloudSource& output,
                                                            const Matrix4& guess)
 {
   this->correspondences_->clear();
   this->nr_iterations_ = 0;
+  this->target_cloud_updated_ = true; // by the next align it may have other points
+  pcl::Indices points;
   try {
-    checkInput();
-    aligned_ = this->input_;
+    points = takeSource (output);
+    checkTargets();
     detail::Stopwatch watch;
     const std::vector<RgbdFrame> frames = makeFrames(); // section 3.3
     const double frame_seconds = watch.lap();
-    const Oversegmentation segments = cutSegments (frames[reference_]); // section 3.3
+    const Oversegmentation segments =
+        cutSegments (frames[reference_], points); // section 3.3
     const double segment_seconds = watch.lap();
     minimizeEnergy (frames, segments, guess, frame_seconds + segment_seconds); // Eq. 13
     for (SceneFlow& flow : result_.frames) {
       flow.report.frame_seconds = frame_seconds;
       flow.report.segment_seconds = segment_seconds;
     }
-    warp (getSceneFlow(), *this->indices_, output); // Eq. 1
-    findCorrespondences (output);
+    detail::warpCloud (getSceneFlow(), points, output); // Eq. 1
+    findCorrespondences (output, points);
     publish();
   }
   catch (const InvalidInput& error) {
@@ -51,24 +71,51 @@ PiecewiseRigidRegistration<PointT>::computeTransformation (PointCloudSource& out
   catch (...) {
     return fail (StopReason::NumericalFailure, "unknown error, from a callback?");
   }
-  showResult (output);
+  showResult (output, points);
+}
+
+template <typename PointT>
+pcl::Indices
+PiecewiseRigidRegistration<PointT>::takeSource (PointCloudSource& output)
+{
+  if (isTarget (output))
+    throw InvalidInput ("the output is one of the targets, which have to be set anew: "
+                        "give another cloud");
+  // A copy, because the output can be the source, which can be filled anew later, too.
+  const auto source = pcl::make_shared<PointCloudSource> (*this->input_);
+  aligned_ = source;
+  output.sensor_origin_ = source->sensor_origin_;
+  output.sensor_orientation_ = source->sensor_orientation_;
+  pcl::Indices points;
+  const std::string misfit =
+      selection_.find (source->width, source->height, source->size(), points);
+  if (!misfit.empty())
+    output.clear();
+  else if (!selection_.isAll())
+    detail::pickPoints (*source, points, output);
+  if (source->empty())
+    throw InvalidInput ("there is no source: call setInputSource");
+  if (!misfit.empty())
+    throw InvalidInput (misfit);
+  requireOrganized (*source, "source");
+  return points;
+}
+
+template <typename PointT>
+bool
+PiecewiseRigidRegistration<PointT>::isTarget (const PointCloudSource& cloud) const
+{
+  return std::any_of (targets_.begin(), targets_.end(), [&cloud] (const auto& target) {
+    return target.get() == &cloud;
+  });
 }
 
 template <typename PointT>
 void
-PiecewiseRigidRegistration<PointT>::checkInput() const
+PiecewiseRigidRegistration<PointT>::checkTargets() const
 {
-  if (this->input_->empty())
-    throw InvalidInput ("there is no source: call setInputSource");
   if (targets_.empty())
     throw InvalidInput ("there is no target: call setInputTarget");
-  if (!indices_fit_)
-    throw InvalidInput ("an index is outside the source: call setIndices with the "
-                        "source's own, or with a null pointer for all points");
-  if (this->indices_->empty())
-    throw InvalidInput ("the list of indices is empty: call setIndices with some, or "
-                        "with a null pointer for all points");
-  requireOrganized (*this->input_, "source");
   for (std::size_t k = 0; k < targets_.size(); ++k)
     requireOrganized (*targets_[k], detail::targetName (k, targets_.size()));
   if (reference_ > static_cast<int> (targets_.size()))
@@ -84,7 +131,7 @@ PiecewiseRigidRegistration<PointT>::makeFrames() const
   for (const PointCloudTargetConstPtr& target : targets_)
     clouds.push_back ({pointImage (*target), colorImage (*target)});
   clouds.insert (clouds.begin() + reference_,
-                 {pointImage (*this->input_), colorImage (*this->input_)});
+                 {pointImage (*aligned_), colorImage (*aligned_)});
   return detail::makeFrames (std::move (clouds),
                              reference_,
                              camera_,
@@ -94,11 +141,12 @@ PiecewiseRigidRegistration<PointT>::makeFrames() const
 
 template <typename PointT>
 Oversegmentation
-PiecewiseRigidRegistration<PointT>::cutSegments (const RgbdFrame& reference) const
+PiecewiseRigidRegistration<PointT>::cutSegments (const RgbdFrame& reference,
+                                                 const pcl::Indices& points) const
 {
   Oversegmentation segments;
-  if (labels_ && (labels_->width != this->input_->width ||
-                  labels_->height != this->input_->height))
+  if (labels_ &&
+      (labels_->width != aligned_->width || labels_->height != aligned_->height))
     throw InvalidInput ("the labels have another size than the source: call "
                         "setSegmentation with its own, or clearSegmentation");
   if (labels_)
@@ -111,9 +159,9 @@ PiecewiseRigidRegistration<PointT>::cutSegments (const RgbdFrame& reference) con
       cut.method = SegmentationMethod::Single;
     segments = Oversegmentation::fromFrame (reference, cut);
   }
-  if (this->indices_->size() == this->input_->size())
+  if (points.size() == aligned_->size())
     return segments;
-  return detail::segmentsHolding (*this->indices_, segments, reference);
+  return detail::segmentsHolding (points, segments, reference);
 }
 
 template <typename PointT>
@@ -140,46 +188,27 @@ PiecewiseRigidRegistration<PointT>::minimizeEnergy (
 
 template <typename PointT>
 void
-PiecewiseRigidRegistration<PointT>::warp (const SceneFlow& flow,
-                                          const pcl::Indices& indices,
-                                          PointCloudSource& output) const
-{
-  std::vector<Eigen::Matrix3f> rotations;
-  for (const SegmentMotion& segment : flow.segments)
-    rotations.emplace_back (segment.current_from_reference.rotation().cast<float>());
-  const int width = static_cast<int> (flow.labels.cols);
-  for (std::size_t i = 0; i < output.size(); ++i) {
-    const int index = indices[i];
-    const int v = index / width;
-    const int u = index % width;
-    const auto& d = flow.displacement.template at<cv::Vec3f> (v, u);
-    output[i].getVector3fMap() += Eigen::Vector3f (d[0], d[1], d[2]);
-    if (!pcl::isXYZFinite (output[i])) {
-      output[i].getVector3fMap().setConstant (std::numeric_limits<float>::quiet_NaN());
-      output.is_dense = false;
-      continue;
-    }
-    if constexpr (pcl::traits::has_normal<PointT>::value) {
-      const int label = flow.labels.template at<int> (v, u);
-      auto normal = output[i].getNormalVector3fMap();
-      if (label >= 0)
-        normal = (rotations[label] * normal).eval();
-    }
-  }
-}
-
-template <typename PointT>
-void
 PiecewiseRigidRegistration<PointT>::publish()
 {
   const SceneFlow& flow = getSceneFlow();
-  this->final_transformation_ = flow.dominant_motion.matrix();
-  this->transformation_ = this->final_transformation_;
+  setFinalTransformation (flow.dominant_motion.matrix());
   this->nr_iterations_ = flow.report.iterations;
   // As PCL's ICP: reaching the iteration limit is an ordinary end.
   const StopReason reason = flow.report.stop_reason;
   this->converged_ =
       reason == StopReason::Converged || reason == StopReason::IterationLimit;
+}
+
+template <typename PointT>
+void
+PiecewiseRigidRegistration<PointT>::setFinalTransformation (
+    const Matrix4& transformation)
+{
+  this->final_transformation_ = this->transformation_ = transformation;
+  // By it getFitnessScore of the base moves the source's points to where it searches.
+  const auto tree = std::dynamic_pointer_cast<LazyKdTree<PointT>> (this->tree_);
+  if (tree && !this->force_no_recompute_)
+    tree->setQueryCamera (transformation);
 }
 
 template <typename PointT>
@@ -190,6 +219,9 @@ PiecewiseRigidRegistration<PointT>::fail (StopReason reason, const char* why)
   shown_ = 0;
   aligned_.reset();
   result_ = detail::failedFlow (reason, why);
+  this->correspondences_->clear();
+  this->nr_iterations_ = 0;
+  setFinalTransformation (Matrix4::Identity());
   this->converged_ = false;
 }
 

@@ -12,12 +12,6 @@ PiecewiseRigidRegistration<PointT>::PiecewiseRigidRegistration()
 {
   this->reg_name_ = "PiecewiseRigidRegistration";
   this->max_iterations_ = SolverParameters{}.max_iterations;
-  // PCL hands both clouds to its search objects in every align: lazy ones cost nothing.
-  this->setSearchMethodTarget (pcl::make_shared<LazyKdTree<PointT>>());
-  this->setSearchMethodSource (pcl::make_shared<LazyKdTree<PointT>>());
-  // Empty clouds instead of null ones: PCL's non-virtual functions dereference them.
-  this->input_ = pcl::make_shared<PointCloudSource>();
-  this->target_ = pcl::make_shared<PointCloudSource>();
 }
 
 template <typename PointT>
@@ -32,7 +26,6 @@ PiecewiseRigidRegistration<PointT>::setInputSource (
     this->input_ = pcl::make_shared<PointCloudSource>();
     this->converged_ = false;
   }
-  adoptIndices();
 }
 
 template <typename PointT>
@@ -96,19 +89,21 @@ PiecewiseRigidRegistration<PointT>::setReferenceFrame (int frame)
   reference_ = frame;
 }
 
+/* PCL's align copies the indexed points before any of our code runs, and the source can
+ * be filled anew by then: the base never gets the indices, it works on all points. */
+
 template <typename PointT>
 void
 PiecewiseRigidRegistration<PointT>::setIndices (const pcl::IndicesPtr& indices)
 {
-  requested_indices_ = indices;
-  adoptIndices();
+  selection_ = indices ? detail::PointSelection (*indices) : detail::PointSelection();
 }
 
 template <typename PointT>
 void
 PiecewiseRigidRegistration<PointT>::setIndices (const pcl::IndicesConstPtr& indices)
 {
-  setIndices (indices ? pcl::make_shared<pcl::Indices> (*indices) : pcl::IndicesPtr());
+  selection_ = indices ? detail::PointSelection (*indices) : detail::PointSelection();
 }
 
 template <typename PointT>
@@ -116,8 +111,8 @@ void
 PiecewiseRigidRegistration<PointT>::setIndices (
     const pcl::PointIndicesConstPtr& indices)
 {
-  setIndices (indices ? pcl::make_shared<pcl::Indices> (indices->indices)
-                      : pcl::IndicesPtr());
+  selection_ =
+      indices ? detail::PointSelection (indices->indices) : detail::PointSelection();
 }
 
 template <typename PointT>
@@ -127,36 +122,22 @@ PiecewiseRigidRegistration<PointT>::setIndices (std::size_t row_start,
                                                 std::size_t nb_rows,
                                                 std::size_t nb_cols)
 {
-  const std::size_t width = this->input_->width;
-  const std::size_t height = this->input_->height;
-  if (nb_rows == 0 || nb_cols == 0 || row_start > height || col_start > width ||
-      nb_rows > height - row_start || nb_cols > width - col_start) {
-    printError (
-        "setIndices",
-        "the rectangle is empty or not inside the source; set the source first");
-    return;
-  }
-  auto indices = pcl::make_shared<pcl::Indices>();
-  indices->reserve (nb_rows * nb_cols);
-  for (std::size_t v = row_start; v < row_start + nb_rows; ++v)
-    for (std::size_t u = col_start; u < col_start + nb_cols; ++u)
-      indices->push_back (static_cast<pcl::index_t> (v * width + u));
-  setIndices (pcl::IndicesPtr (indices));
+  if (nb_rows > 0 && nb_cols > 0)
+    selection_ = detail::PointSelection (row_start, col_start, nb_rows, nb_cols);
+  else
+    printError ("setIndices", "the rectangle is empty: give one of the source");
 }
 
 template <typename PointT>
-void
-PiecewiseRigidRegistration<PointT>::adoptIndices()
+pcl::IndicesPtr
+PiecewiseRigidRegistration<PointT>::getIndices() const
 {
-  // align copies the indexed points before any of our code runs: only indices that fit
-  // the source may reach it. Source and indices can come in either order.
-  const auto size = static_cast<pcl::index_t> (this->input_->size());
-  indices_fit_ = true;
-  if (requested_indices_)
-    for (const auto index : *requested_indices_)
-      indices_fit_ = indices_fit_ && index >= 0 && index < size;
-  Base::setIndices (indices_fit_ ? requested_indices_
-                                 : pcl::make_shared<pcl::Indices>());
+  if (selection_.isAll())
+    return this->indices_;
+  auto points = pcl::make_shared<pcl::Indices>();
+  const PointCloudSource& source = *this->input_;
+  selection_.find (source.width, source.height, source.size(), *points);
+  return points;
 }
 
 template <typename PointT>

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <pcl_msf/impl/registration_steps.h>
+#include <pcl_msf/impl/warp_cloud.hpp>
 #include <pcl_msf/piecewise_rigid_registration.h>
 
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <string>
 
 /* What PiecewiseRigidRegistration gives back besides align's cloud. */
@@ -31,11 +31,7 @@ PiecewiseRigidRegistration<PointT>::getWarpedCloud (int frame) const
   const bool own = frame == result_.reference && !result_.frames.empty();
   if (!aligned_ || flow.displacement.total() != aligned_->size())
     return own && aligned_ ? *aligned_ : PointCloudSource();
-  PointCloudSource warped = *aligned_;
-  pcl::Indices all (warped.size());
-  std::iota (all.begin(), all.end(), 0);
-  warp (flow, all, warped);
-  return warped;
+  return detail::warpedCloud (flow, *aligned_);
 }
 
 template <typename PointT>
@@ -65,21 +61,22 @@ PiecewiseRigidRegistration<PointT>::getFitnessScore (double max_range)
 
 template <typename PointT>
 void
-PiecewiseRigidRegistration<PointT>::showResult (const PointCloudSource& warped) const
+PiecewiseRigidRegistration<PointT>::showResult (const PointCloudSource& warped,
+                                                const pcl::Indices& points) const
 {
   if (!this->update_visualizer_)
     return;
   // Correspondences are in the output's order, but name the source's points.
   const auto& pairs = *this->correspondences_;
-  pcl::Indices points;
+  pcl::Indices shown;
   pcl::Indices matches;
-  for (std::size_t i = 0; i < warped.size() && points.size() < pairs.size(); ++i)
-    if (pairs[points.size()].index_query == (*this->indices_)[i]) {
-      matches.push_back (pairs[points.size()].index_match);
-      points.push_back (static_cast<pcl::index_t> (i));
+  for (std::size_t i = 0; i < warped.size() && shown.size() < pairs.size(); ++i)
+    if (pairs[shown.size()].index_query == points[i]) {
+      matches.push_back (pairs[shown.size()].index_match);
+      shown.push_back (static_cast<pcl::index_t> (i));
     }
   try {
-    this->update_visualizer_ (warped, points, *this->target_, matches);
+    this->update_visualizer_ (warped, shown, *this->target_, matches);
   }
   catch (const std::exception& error) {
     printError ("align", std::string ("visualization callback: ") + error.what());
@@ -91,20 +88,21 @@ PiecewiseRigidRegistration<PointT>::showResult (const PointCloudSource& warped) 
 
 template <typename PointT>
 void
-PiecewiseRigidRegistration<PointT>::findCorrespondences (const PointCloudSource& warped)
+PiecewiseRigidRegistration<PointT>::findCorrespondences (const PointCloudSource& warped,
+                                                         const pcl::Indices& points)
 {
   const SceneFlow& flow = getSceneFlow();
   const cv::Size size = flow.visibility.size();
   this->correspondences_->reserve (warped.size());
   for (std::size_t i = 0; i < warped.size(); ++i) {
-    const int index = (*this->indices_)[i];
+    const int index = points[i];
     const auto seen = flow.visibility.template at<unsigned char> (index / size.width,
                                                                   index % size.width);
     if (seen != Visibility::Visible)
       continue;
     const Eigen::Vector3f point = warped[i].getVector3fMap();
     const int match = detail::pixelOf (point, flow.camera, size);
-    if (match < 0 || !pcl::isXYZFinite ((*this->target_)[match]))
+    if (match < 0 || !detail::hasDepth ((*this->target_)[match]))
       continue;
     const float distance =
         (point - (*this->target_)[match].getVector3fMap()).squaredNorm();

@@ -7,9 +7,8 @@
 #include <pcl_msf/cloud_conversions.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/impl/registration_steps.h>
+#include <pcl_msf/impl/warp_cloud.hpp>
 #include <pcl_msf/piecewise_rigid_tracker.h>
-
-#include <limits>
 
 namespace pcl_msf {
 
@@ -43,6 +42,7 @@ PiecewiseRigidTracker<PointT>::addCloud (const PointCloudConstPtr& cloud)
     if (!cloud || cloud->empty())
       throw InvalidInput ("the cloud is empty: give an organized one");
     requireOrganized (*cloud, "cloud");
+    const auto kept = pcl::make_shared<PointCloud> (*cloud); // it may be filled anew
     const bool first = !reference_;
     if (first) {
       SegmentationParameters cut = segmentation_;
@@ -51,7 +51,7 @@ PiecewiseRigidTracker<PointT>::addCloud (const PointCloudConstPtr& cloud)
       tracker_ = SceneFlowTracker (parameters_, cut, energy_, solver_, multiframe_);
     }
     const RgbdFrame frame =
-        detail::makeFrames ({{pointImage (*cloud), colorImage (*cloud)}},
+        detail::makeFrames ({{pointImage (*kept), colorImage (*kept)}},
                             0,
                             first ? camera_ : used_camera_,
                             frame_,
@@ -61,10 +61,10 @@ PiecewiseRigidTracker<PointT>::addCloud (const PointCloudConstPtr& cloud)
     tracker_.add (frame);
     used_camera_ = frame.camera();
     if (first)
-      reference_ = cloud;
+      reference_ = kept;
     else if (tracker_.firstFrame() != reference)
       reference_ = newest_;
-    newest_ = cloud;
+    newest_ = kept;
     return true;
   }
   catch (const std::exception& error) {
@@ -77,22 +77,9 @@ template <typename PointT>
 typename PiecewiseRigidTracker<PointT>::PointCloud
 PiecewiseRigidTracker<PointT>::getWarpedCloud() const
 {
-  PointCloud warped;
   const SceneFlow& flow = getSceneFlow();
-  if (flow.displacement.empty())
-    return warped;
-  warped = *reference_;
-  for (int v = 0; v < flow.displacement.rows; ++v)
-    for (int u = 0; u < flow.displacement.cols; ++u) {
-      const auto& d = flow.displacement.template at<cv::Vec3f> (v, u);
-      PointT& point = warped (u, v);
-      point.getVector3fMap() += Eigen::Vector3f (d[0], d[1], d[2]);
-      if (pcl::isXYZFinite (point))
-        continue;
-      point.getVector3fMap().setConstant (std::numeric_limits<float>::quiet_NaN());
-      warped.is_dense = false;
-    }
-  return warped;
+  return flow.displacement.empty() ? PointCloud()
+                                   : detail::warpedCloud (flow, *reference_);
 }
 
 } // namespace pcl_msf

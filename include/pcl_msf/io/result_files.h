@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/io/rgbd_images.h>
 #include <pcl_msf/scene_flow.h>
 
 #include <string>
@@ -13,24 +14,27 @@ namespace pcl_msf::io {
 /** \brief Writes a result as a binary, organized .pcd with the fields `x y z rgb dx dy
  * dz label visible` of pcl_msf::PointXYZRGBFlow; NaN where there is no depth.
  * \param color of the reference, CV_8UC1, CV_8UC3 (BGR) or empty = white
- * \throws IoError */
+ * \param viewpoint of the reference \throws IoError */
 void
 writeSceneFlowCloud (const std::string& path,
                      const SceneFlow& scene_flow,
-                     const cv::Mat& color);
+                     const cv::Mat& color,
+                     const Viewpoint& viewpoint = {});
 
 /** \brief Writes the warped reference as a binary, organized .pcd with x y z rgb: the
  * reference's colours at the warped positions (current frame, metres), NaN where they
- * are unknown. \throws IoError */
+ * are unknown. \param viewpoint of the reference \throws IoError */
 void
 writeWarpedCloud (const std::string& path,
                   const SceneFlow& scene_flow,
-                  const cv::Mat& color);
+                  const cv::Mat& color,
+                  const Viewpoint& viewpoint = {});
 
 /** \brief A scene flow as a file holds it. */
 struct StoredSceneFlow {
-  SceneFlow scene_flow; ///< without poses, connections and report
-  cv::Mat color;        ///< of the reference, CV_8UC3 (BGR); empty when all are white
+  SceneFlow scene_flow;  ///< without poses, connections and report
+  cv::Mat color;         ///< of the reference, CV_8UC3 (BGR); empty when all are white
+  Viewpoint viewpoint{}; ///< of the reference
 };
 
 /** \brief Reads what writeSceneFlowCloud wrote.

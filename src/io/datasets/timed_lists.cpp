@@ -16,10 +16,10 @@ namespace {
 
 template <typename Timed>
 void
-sortByTime (std::vector<Timed>& list)
+sortByTime (std::vector<Timed>& list, double Timed::*time)
 {
-  std::stable_sort (list.begin(), list.end(), [] (const Timed& a, const Timed& b) {
-    return a.time < b.time;
+  std::stable_sort (list.begin(), list.end(), [time] (const Timed& a, const Timed& b) {
+    return a.*time < b.*time;
   });
 }
 
@@ -54,7 +54,7 @@ readTimedFiles (const std::string& path)
   for (std::size_t row = 0; row < table.rows(); ++row)
     list.push_back (
         {table.number (row, 0, "timestamp"), table.word (row, 1, "filename")});
-  sortByTime (list);
+  sortByTime (list, &TimedFile::time);
   return list;
 }
 
@@ -71,7 +71,7 @@ readTrajectory (const std::string& path)
         {table.number (row, 0, "timestamp"),
          RigidPose::fromMatrix (quaternionOf (table, row).toRotationMatrix(), t)});
   }
-  sortByTime (list);
+  sortByTime (list, &TimedPose::seconds);
   return list;
 }
 
@@ -111,17 +111,17 @@ poseAt (const std::vector<TimedPose>& poses, double time, double max_difference)
 {
   const auto later = std::lower_bound (
       poses.begin(), poses.end(), time, [] (const TimedPose& pose, double at) {
-        return pose.time < at;
+        return pose.seconds < at;
       });
-  if (later == poses.end() || later->time - time > max_difference)
+  if (later == poses.end() || later->seconds - time > max_difference)
     return std::nullopt;
-  if (later->time == time)
-    return later->pose;
-  if (later == poses.begin() || time - (later - 1)->time > max_difference)
+  if (later->seconds == time)
+    return later->world_from_camera;
+  if (later == poses.begin() || time - (later - 1)->seconds > max_difference)
     return std::nullopt;
   const TimedPose& before = *(later - 1);
-  return between (
-      before.pose, later->pose, (time - before.time) / (later->time - before.time));
+  const double part = (time - before.seconds) / (later->seconds - before.seconds);
+  return between (before.world_from_camera, later->world_from_camera, part);
 }
 
 } // namespace pcl_msf::io

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include <pcl_msf/rigid_pose.h>
+#include <pcl_msf/io/pose_files.h>
 
 #include <optional>
 #include <string>
@@ -14,11 +14,6 @@ namespace pcl_msf::io {
 struct TimedFile {
   double time; ///< seconds
   std::string file;
-};
-
-struct TimedPose {
-  double time;    ///< seconds
-  RigidPose pose; ///< `world_from_camera`
 };
 
 /** \brief Reads a list of "timestamp file", sorted by time. \throws IoError */
