@@ -5,6 +5,7 @@
 #include <pcl/console/print.h>
 
 #include "common/option_values.h"
+#include "core/number_text.h"
 #include "evaluate_option_table.h"
 #include "method.h"
 #include "score.h"
@@ -145,9 +146,11 @@ EvaluateOptions::settings() const
                                  reading.camera->fy,
                                  reading.camera->cx,
                                  reading.camera->cy})
-        text += " " + std::to_string (value);
+        text += " " + fixedText (value, 6);
     if (reading.depth_scale)
-      text += " depth_scale=" + std::to_string (*reading.depth_scale);
+      text += " depth_scale=" + fixedText (*reading.depth_scale, 6);
+    if (reading.max_time_difference != io::DatasetOptions().max_time_difference)
+      text += " max_time_difference=" + fixedText (reading.max_time_difference, 6);
   }
   text += std::string (" pairs=") + (pairs == Pairs::Adjacent ? "adjacent" : "0-k") +
           " step=" + std::to_string (step) + " limit=" + std::to_string (limit) +

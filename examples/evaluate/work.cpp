@@ -35,6 +35,7 @@ load (const WorkItem& item)
   PairData pair;
   pair.reference = item.sequence->frame (item.from);
   pair.current = item.sequence->frame (item.to);
+  io::unifyColors ({&pair.reference, &pair.current});
   if (pair.reference.depth.size() != pair.current.depth.size())
     throw IoError (item.name + ": frames " + std::to_string (item.from) + " and " +
                    std::to_string (item.to) + ": size: they differ in size");

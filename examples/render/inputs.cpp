@@ -153,6 +153,16 @@ private:
   Oversegmentation segments_;
 };
 
+/** Of the frames that matter most, for all. */
+double
+colorUnit (const io::RgbdImages& reference, const io::DataFolder& folder, int frame)
+{
+  if (reference.raw_color.empty())
+    return 1.0;
+  const io::RgbdImages current = folder.frame (frame);
+  return io::colorUnit ({&reference, &current});
+}
+
 /** A folder with frames: the scene flow is computed here. */
 RenderInputs
 estimate (const RenderOptions& options)
@@ -161,6 +171,8 @@ estimate (const RenderOptions& options)
   const int last = std::max (lastOfWindow (options), options.frame);
   requireFrame (folder, last);
   io::RgbdImages reference = folder.frame (0);
+  const double unit = colorUnit (reference, folder, options.frame);
+  io::setColorUnit (reference, unit);
   const Estimation estimation (reference);
   RenderInputs inputs;
   inputs.result.reference_color = reference.color;
@@ -169,7 +181,8 @@ estimate (const RenderOptions& options)
       continue;
     if (!options.quiet && isatty (STDERR_FILENO) != 0)
       std::fprintf (stderr, "scene flow from frame 0 to %d\n", k);
-    const io::RgbdImages images = folder.frame (k);
+    io::RgbdImages images = folder.frame (k);
+    io::setColorUnit (images, unit);
     SceneFlow flow = estimation.to (images, [] { return !interrupted(); });
     inputs.displacements.push_back (flow.displacement);
     if (k == options.frame) {
@@ -183,10 +196,11 @@ estimate (const RenderOptions& options)
 } // namespace
 
 visualization::ResultClouds
-estimatePair (const io::RgbdImages& reference,
-              const io::RgbdImages& current,
+estimatePair (io::RgbdImages reference,
+              io::RgbdImages current,
               const std::function<bool()>& go_on)
 {
+  io::unifyColors ({&reference, &current});
   visualization::ResultClouds result;
   result.scene_flow = Estimation (reference).to (current, go_on);
   result.reference_color = reference.color;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/number_text.h"
 #include "io/input_file.h"
-#include "io/number_text.h"
 #include "io/output_file.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/float_files.h>

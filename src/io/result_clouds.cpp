@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <pcl/io/pcd_io.h>
 
+#include "io/classic_locale.h"
 #include "io/output_file.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/result_files.h>
@@ -69,6 +70,7 @@ writeCloud (const std::string& path,
       fill (row, col, point);
     }
   writeThenRename (path, [&cloud] (const std::string& temporary) {
+    const ClassicLocale classic;
     pcl::PCDWriter().writeBinary (temporary, cloud);
   });
 }

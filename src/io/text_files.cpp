@@ -2,16 +2,15 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <Eigen/LU>
 
+#include "core/number_text.h"
 #include "io/input_file.h"
-#include "io/number_text.h"
 #include "io/output_file.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/text_files.h>
 
 #include <array>
 #include <cmath>
-#include <iomanip>
-#include <locale>
+#include <initializer_list>
 #include <sstream>
 
 namespace pcl_msf::io {
@@ -48,13 +47,14 @@ imageSide (const std::string& path, const char* name, double value)
   return static_cast<int> (value);
 }
 
-std::ostringstream
-exactStream ()
+/** A line of numbers that read back exactly. */
+std::string
+exactLine (std::initializer_list<double> numbers)
 {
-  std::ostringstream stream;
-  stream.imbue (std::locale::classic());
-  stream << std::setprecision (17);
-  return stream;
+  std::string line;
+  for (const double number : numbers)
+    line += (line.empty() ? "" : " ") + generalText (number, 17);
+  return line + '\n';
 }
 
 } // namespace
@@ -87,11 +87,10 @@ readCamera (const std::string& path)
 void
 writeCamera (const std::string& path, const CameraFile& file)
 {
-  std::ostringstream text = exactStream();
-  text << file.camera.fx << ' ' << file.camera.fy << ' ' << file.camera.cx << ' '
-       << file.camera.cy << ' ' << file.width << ' ' << file.height << ' '
-       << file.depth_scale << '\n';
-  writeText (path, text.str());
+  const PinholeCamera& c = file.camera;
+  const double width = file.width, height = file.height;
+  writeText (path,
+             exactLine ({c.fx, c.fy, c.cx, c.cy, width, height, file.depth_scale}));
 }
 
 RigidPose
@@ -129,14 +128,13 @@ readPose (const std::string& path)
 void
 writePose (const std::string& path, const RigidPose& pose)
 {
-  std::ostringstream text = exactStream();
+  std::string text;
   const Eigen::Matrix3d rotation = pose.rotation();
   const Eigen::Vector3d translation = pose.translation();
   for (int row = 0; row < 3; ++row)
-    text << rotation (row, 0) << ' ' << rotation (row, 1) << ' ' << rotation (row, 2)
-         << ' ' << translation[row] << '\n';
-  text << "0 0 0 1\n";
-  writeText (path, text.str());
+    text += exactLine (
+        {rotation (row, 0), rotation (row, 1), rotation (row, 2), translation[row]});
+  writeText (path, text + "0 0 0 1\n");
 }
 
 } // namespace pcl_msf::io

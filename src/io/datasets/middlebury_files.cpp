@@ -4,10 +4,10 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "core/number_text.h"
 #include "io/datasets/file_lists.h"
 #include "io/decode_image.h"
 #include "io/input_file.h"
-#include "io/number_text.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/float_files.h>
 #include <pcl_msf/io/images.h>

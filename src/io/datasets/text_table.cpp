@@ -4,8 +4,8 @@
 
 #include <Eigen/LU>
 
+#include "core/number_text.h"
 #include "io/input_file.h"
-#include "io/number_text.h"
 #include <pcl_msf/errors.h>
 
 #include <cmath>
@@ -22,11 +22,7 @@ constexpr std::uint64_t kLargest = std::uint64_t{1} << 26;
 TextTable::TextTable (const std::string& path, int header_lines) : path_ (path)
 {
   InputFile file (path);
-  if (file.remaining() > kLargest)
-    file.fail ("size", "longer than 64 MB; it is no list of this kind");
-  std::string text (file.remaining(), '\0');
-  file.read (text.data(), text.size(), "text");
-  std::istringstream lines (text);
+  std::istringstream lines (file.text (kLargest));
   std::string line;
   for (int number = 1; std::getline (lines, line); ++number) {
     if (number <= header_lines)
