@@ -118,8 +118,10 @@ TEST (Images, ColourIsEightBitGreyOrBgr)
 TEST (Images, DeepGreyKeepsWhatEightBitsWouldDrop)
 {
   const TemporaryFolder folder;
-  cv::imwrite (folder ("a.png"), (cv::Mat_<std::uint16_t> (1, 3) << 0, 100, 400));
-  cv::imwrite (folder ("b.png"), (cv::Mat_<std::uint16_t> (1, 3) << 0, 100, 800));
+  const cv::Mat dark = (cv::Mat_<std::uint16_t> (1, 3) << 0, 100, 400);
+  const cv::Mat light = (cv::Mat_<std::uint16_t> (1, 3) << 0, 100, 800);
+  cv::imwrite (folder ("a.png"), dark);
+  cv::imwrite (folder ("b.png"), light);
   io::RgbdImages a, b;
   io::readColor (folder ("a.png"), a);
   io::readColor (folder ("b.png"), b);

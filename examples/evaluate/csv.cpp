@@ -88,7 +88,7 @@ void
 readField (const std::string& text, const std::string& name, Number& value)
 {
   if (!parseNumber (text, value))
-    throw InvalidInput (name + ": '" + text + "' is no number");
+    throw InvalidInput (name + ": '" + text + "' is no number; the file is damaged");
 }
 
 } // namespace
@@ -124,7 +124,7 @@ parseRow (const std::string& line)
   if (fields.size() != names.size())
     throw InvalidInput ("there are " + std::to_string (fields.size()) +
                         " fields where " + std::to_string (names.size()) +
-                        " are expected");
+                        " are expected; the file is damaged or of another version");
   Row row;
   readField (fields[0], names[0], row.pair);
   row.dataset = fields[1];
@@ -205,9 +205,9 @@ readHead (LineReader& reader, ResultFile& file)
   if (!parseNumber (shard.substr (0, slash), file.shard.index) ||
       !parseNumber (shard.substr (slash + 1), file.shard.count) ||
       file.shard.index < 1 || file.shard.index > file.shard.count)
-    reader.fail ("shard: '" + shard + "' is none of 1/N to N/N");
+    reader.fail ("shard: '" + shard + "' is none of 1/N to N/N; the file is damaged");
   if (!parseNumber (reader.after ("# pairs "), file.pairs))
-    reader.fail ("pairs: no number");
+    reader.fail ("pairs: no number; the file is damaged");
   if (!reader.after (namesText()).empty())
     reader.fail ("columns: other columns; the file is of another version");
 }

@@ -61,7 +61,8 @@ requireFrame (const io::DataFolder& folder, int frame)
 {
   if (frame >= folder.frames())
     throw UsageError (folder.path() + " has " + std::to_string (folder.frames()) +
-                      " frames, there is no frame " + std::to_string (frame));
+                      " frames, there is no frame " + std::to_string (frame) +
+                      "; choose another by --frame or --window");
 }
 
 /** Last frame that pictures of the way through the window need; 0 = none does. */
@@ -100,7 +101,11 @@ loadResult (const RenderOptions& options)
     flow.visibility = io::readColor (seen);
     if (flow.visibility.type() != CV_8UC1 ||
         flow.visibility.size() != flow.labels.size())
-      throw IoError (seen + ": image: not of the scene flow's size");
+      throw IoError (seen + ": image: " + std::to_string (flow.visibility.cols) + "x" +
+                     std::to_string (flow.visibility.rows) + ", the scene flow " +
+                     std::to_string (flow.labels.cols) + "x" +
+                     std::to_string (flow.labels.rows) +
+                     "; give the folder as pcl_msf_scene_flow wrote it");
   }
   if (!options.sequence.empty()) {
     const io::DataFolder frames (options.sequence);
@@ -216,12 +221,14 @@ loadRenderInputs (const RenderOptions& options)
   if (fs::exists (result))
     return loadResult (options);
   if (!fs::is_directory (options.input))
-    throw IoError (options.input + ": folder: there is none of that name");
+    throw IoError (options.input +
+                   ": folder: there is none of that name; check the path");
   if (!fs::exists (fs::path (options.input) / "camera.txt") &&
       !fs::exists (fs::path (options.input) / "cloud_0.pcd"))
     throw IoError (options.input + ": neither scene_flow_0_" +
                    std::to_string (options.frame) +
-                   ".pcd of pcl_msf_scene_flow nor frames with camera.txt in it");
+                   ".pcd of pcl_msf_scene_flow nor frames with camera.txt in it; give "
+                   "a folder with either");
   return estimate (options);
 }
 

@@ -145,7 +145,8 @@ DataFolder::sceneFlow (int frame) const
     return {};
   cv::Mat scene_flow = readPfm (path);
   if (scene_flow.type() != CV_32FC3)
-    throw IoError (path + ": type: a scene flow has three channels (PF)");
+    throw IoError (path + ": type: one channel (Pf), and a scene flow has three "
+                          "(PF); give the file as it was written");
   replaceUnknown (scene_flow);
   return scene_flow;
 }

@@ -49,7 +49,11 @@ checkResult (const std::string& path, const SceneFlow& flow, const cv::Mat& colo
                      flow.labels.size() == size && flow.visibility.size() == size &&
                      (color.empty() || color.size() == size);
   if (!whole)
-    throw IoError (path + ": scene flow: no result, or a colour image of another size");
+    throw IoError (path + ": scene flow: " + std::to_string (flow.points.cols) + "x" +
+                   std::to_string (flow.points.rows) +
+                   " points and a colour image of " + std::to_string (color.cols) +
+                   "x" + std::to_string (color.rows) +
+                   "; give a result that was estimated, and its reference's colour");
 }
 
 template <typename PointT, typename Fill>

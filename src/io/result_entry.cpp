@@ -125,7 +125,8 @@ readNumbers (const std::string& path)
   catch (const cv::Exception&) {
     throw IoError (path + ": report: it is no JSON; the file is damaged");
   }
-  throw IoError (path + ": report: cannot be read");
+  throw IoError (path + ": report: OpenCV cannot open it; check its "
+                        "permissions");
 }
 
 } // namespace

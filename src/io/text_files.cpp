@@ -30,11 +30,13 @@ readNumbers (const std::string& path, const std::array<const char*, N>& names)
     if (!(words >> word))
       file.fail (names[i], "missing; " + std::to_string (N) + " numbers are needed");
     if (!parseNumber (word, numbers[i]) || !std::isfinite (numbers[i]))
-      file.fail (names[i], "'" + word + "' is no finite number");
+      file.fail (names[i],
+                 "'" + word + "' is no finite number; write " + std::to_string (N) +
+                     " numbers with blanks between");
   }
   std::string rest;
   if (words >> rest)
-    file.fail ("end", "'" + rest + "' follows where nothing should");
+    file.fail ("end", "'" + rest + "' follows where nothing should; remove it");
   return numbers;
 }
 
@@ -42,8 +44,8 @@ int
 imageSide (const std::string& path, const char* name, double value)
 {
   if (value != std::floor (value) || value < 1.0 || value > 1e6)
-    throw IoError (path + ": " + name +
-                   ": must be a whole number of pixels, 1 or more");
+    throw IoError (path + ": " + name + ": " + generalText (value) +
+                   ", must be a whole number of pixels, 1 or more");
   return static_cast<int> (value);
 }
 
@@ -80,7 +82,8 @@ readCamera (const std::string& path)
   if (!file.camera.isValid (file.width, file.height, &why))
     throw IoError (path + ": fx fy cx cy: " + why);
   if (file.depth_scale <= 0.0)
-    throw IoError (path + ": depth_scale: must be > 0, in depth units per metre");
+    throw IoError (path + ": depth_scale: " + generalText (file.depth_scale) +
+                   ", must be > 0; give units per metre, for example 1000");
   return file;
 }
 

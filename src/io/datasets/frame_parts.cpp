@@ -29,7 +29,7 @@ std::string
 noSuchFrame (const std::string& sequence, int frame, int frames)
 {
   return sequence + ": frame " + std::to_string (frame) + ": there are " +
-         std::to_string (frames) + " frames, from 0 on";
+         std::to_string (frames) + " frames, from 0 on; choose one of them";
 }
 
 void

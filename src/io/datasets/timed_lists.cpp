@@ -33,7 +33,10 @@ quaternionOf (const TextTable& table, std::size_t row)
                               table.number (row, 5, "qy"),
                               table.number (row, 6, "qz"));
   if (!(std::abs (q.norm() - 1.0) < 0.01))
-    table.fail (row, "quaternion", "its length is not 1; it is no rotation");
+    table.fail (row,
+                "quaternion",
+                "its length is " + generalText (q.norm()) +
+                    ", not 1; write a unit quaternion as qx qy qz qw");
   return q.normalized();
 }
 
