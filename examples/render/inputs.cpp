@@ -4,6 +4,7 @@
 
 #include "common/command_line.h"
 #include "common/interruption.h"
+#include "common/tool_main.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/data_folder.h>
 #include <pcl_msf/io/images.h>
@@ -176,6 +177,9 @@ estimate (const RenderOptions& options)
   const int last = std::max (lastOfWindow (options), options.frame);
   requireFrame (folder, last);
   io::RgbdImages reference = folder.frame (0);
+  if (!reference.note.empty())
+    complain ("pcl_msf_render",
+              "warning: " + options.input + ": frame 0: " + reference.note);
   const double unit = colorUnit (reference, folder, options.frame);
   io::setColorUnit (reference, unit);
   const Estimation estimation (reference);

@@ -32,19 +32,28 @@ measuredDepth (const cv::Mat& depth)
   return measured;
 }
 
-/** A usual scale that would bring the median to where RGB-D cameras measure. Without a
- * given one floats had 1 and integers mostly 1000. */
+/** Whole metres without an exponent, as far as people read them. */
+std::string
+metresText (double metres)
+{
+  return metres >= 1000.0 && metres < 1e9 ? fixedText (metres, 0)
+                                          : generalText (metres, 4);
+}
+
+/** Names a usual scale that would bring the median to where RGB-D cameras measure.
+ * Without a given one floats had 1 and integers mostly 1000. */
 std::string
 remedy (double median, const std::optional<double>& scale)
 {
+  const std::string give =
+      scale ? "give units per metre" : "give --depth-scale, units per metre";
   for (const double used : {scale.value_or (1.0), scale.value_or (1000.0)})
     for (const double usual : {1000.0, 1.0, 5000.0, 10000.0, 100.0}) {
       const double metres = median * used / usual;
       if (usual != used && metres > 0.2 && metres < 20.0)
-        return "give units per metre by --depth-scale, for example " +
-               generalText (usual);
+        return give + ", for example " + generalText (usual);
     }
-  return "give units per metre by --depth-scale, or other --min-depth and --max-depth";
+  return give + ", or other limits";
 }
 
 /** Whoever sets a limit wants points to be dropped. */
@@ -77,13 +86,13 @@ checkDepth (const cv::Mat& depth,
   const bool much = kept == 0 || (dropped >= kMuchDropped && areDefaults (limits));
   if (!much && !unlikely)
     return {};
-  std::string text = name + ": depth is " + generalText (measured.front(), 4) + " to " +
-                     generalText (measured.back(), 4) + " m";
+  std::string text = name + ": depth is " + metresText (measured.front()) + " to " +
+                     metresText (measured.back()) + " m";
   if (scale)
     text += " with --depth-scale " + generalText (*scale);
-  if (much)
-    text += ", " + fixedText (100.0 * dropped, 0) +
-            " % of it not between --min-depth " + generalText (limits.min_depth) +
+  if (much && (kept > 0 || !unlikely))
+    text += ", and " + fixedText (100.0 * dropped, 0) +
+            " % is dropped, not between --min-depth " + generalText (limits.min_depth) +
             " and --max-depth " + generalText (limits.max_depth);
   text += "; " + remedy (median, scale);
   if (kept == 0)
