@@ -60,6 +60,29 @@ TEST (Datasets, RefuseOptionsOutOfRange)
   refuses ([] (auto& o) { o.max_time_difference = 0.0; });
 }
 
+TEST (Datasets, ADepthScaleCountsOrIsRefused)
+{
+  const TemporaryFolder folder;
+  SequenceWriterOptions written;
+  writeSequence (smallSequence(), folder ("case"), written); // as floats, in metres
+  io::DatasetOptions options;
+  options.depth_scale = 500.0;
+  const cv::Mat metres = openDataset ("cases", folder ("case"))[0]->frame (0).depth;
+  const cv::Mat scaled =
+      openDataset ("cases", folder ("case"), options)[0]->frame (0).depth;
+  EXPECT_FLOAT_EQ (scaled.at<float> (40, 40), metres.at<float> (40, 40) / 500.0F);
+  written.layout = SequenceLayout::Sintel;
+  writeSequence (smallSequence(), folder ("training"), written);
+  for (const char* kind : {"sintel", "auto"})
+    try {
+      openDataset (kind, folder ("training"), options);
+      ADD_FAILURE() << kind;
+    }
+    catch (const InvalidInput& e) {
+      EXPECT_THAT (e.what(), ::testing::HasSubstr ("depth_scale: 500 is not for"));
+    }
+}
+
 TEST (Datasets, AskForTheKindWhenTwoFit)
 {
   const TemporaryFolder folder;

@@ -136,6 +136,47 @@ TEST (Tum, ReadsTheTrajectoriesThatResultsHave)
   }
 }
 
+TEST (Tum, ReadsListsThatAnEditorSaved)
+{
+  const TemporaryFolder folder;
+  writeTum (folder (""));
+  for (const char* list : {"rgb.txt", "depth.txt", "groundtruth.txt"})
+    putText (folder (list), "\xEF\xBB\xBF" + readFile (folder (list)));
+  const auto open = [&] { return openDataset ("tum", folder (""), withCamera())[0]; };
+  EXPECT_EQ (open()->frames(), 3);
+  EXPECT_TRUE (open()->cameraPose (0));
+  putText (folder ("rgb.txt"),
+           "\xEF\xBB\xBF"
+           "1.0 rgb/1.000000.png\n");
+  EXPECT_EQ (open()->frames(), 1) << "the mark stood before the only line";
+  putText (folder ("rgb.txt"),
+           std::string ("\xFF\xFE"
+                        "1\0.\0",
+                        6));
+  expectIoError (open, "rgb.txt", "UTF-16");
+}
+
+TEST (Tum, StampsInSmallerUnitsBecomeSeconds)
+{
+  EXPECT_EQ (io::secondsOf (1305031102.175304), 1305031102.175304);
+  EXPECT_DOUBLE_EQ (io::secondsOf (1305031102175.0), 1305031102.175);
+  EXPECT_DOUBLE_EQ (io::secondsOf (1305031102175304.0), 1305031102.175304);
+  EXPECT_NEAR (io::secondsOf (1305031102175304000.0), 1305031102.175304, 1e-6);
+  for (const double seconds : {0.0, 12.5, -3.0, 33333333.0, 1e6})
+    EXPECT_EQ (io::secondsOf (seconds), seconds);
+  const TemporaryFolder folder;
+  putText (folder ("rgb.txt"), "1305031102175304000 rgb/a.png\n");
+  putText (folder ("depth.txt"), "1305031102.160407 depth/a.png\n");
+  putText (folder ("groundtruth.txt"),
+           "1305031102175.3 1 2 3 0 0 0 1\n"
+           "1305031102175.4 1 2 3 0 0 0 1\n");
+  const auto sequence = openDataset ("tum", folder ("")).front();
+  ASSERT_EQ (sequence->frames(), 1);
+  EXPECT_NEAR (sequence->timestamp (0), 1305031102.175304, 1e-6);
+  ASSERT_TRUE (sequence->cameraPose (0));
+  EXPECT_EQ (sequence->cameraPose (0)->parameters[4], 2.0);
+}
+
 TEST (Tum, NamesWhatIsDamaged)
 {
   const TemporaryFolder folder;
@@ -154,7 +195,10 @@ TEST (Tum, NamesWhatIsDamaged)
   putText (folder ("depth.txt"), "1.0\n");
   expectIoError (open, "depth.txt: line 1", "filename: missing");
   putText (folder ("depth.txt"), "7.0 depth/7.0.png\n");
-  expectIoError (open, "depth.txt", "timestamp: none is within");
+  expectIoError (open,
+                 "depth.txt",
+                 "timestamp: the closest are 1.066667 in rgb.txt and 7.000000 in "
+                 "depth.txt, 5.93333 s apart, and less than 0.02 s are paired");
   std::filesystem::remove (folder ("depth.txt"));
   expectIoError (open, "depth.txt", "no such file");
 }

@@ -48,12 +48,16 @@ TEST (PinholeCamera, RejectsAbsurdCamerasAndSaysWhy)
   const double nan = std::nan ("");
   for (const PinholeCamera& c : {PinholeCamera{},
                                  PinholeCamera{-525, 525, 320, 240},
+                                 PinholeCamera{481.2, -480, 319.5, 239.5},
                                  PinholeCamera{nan, 525, 320, 240},
                                  PinholeCamera{525, 525, 32000, 240},
                                  PinholeCamera{1e9, 525, 320, 240}}) {
     std::string why;
     EXPECT_FALSE (c.isValid (640, 480, &why));
     EXPECT_NE (why.find ("focal lengths"), std::string::npos);
+    EXPECT_EQ (why.find ("must be positive: flip") != std::string::npos,
+               c.fx < 0.0 || c.fy < 0.0)
+        << why;
   }
   EXPECT_TRUE ((PinholeCamera{525, 525, 320, 240}.isValid (640, 480)));
 }

@@ -29,10 +29,10 @@ TEST (Images, DepthUnitsBecomeMetres)
   ASSERT_EQ (depth.type(), CV_32FC1);
   EXPECT_EQ (depth.at<float> (0, 0), 0.0F);
   EXPECT_FLOAT_EQ (depth.at<float> (0, 1), 1.0F);
-  EXPECT_FLOAT_EQ (depth.at<float> (0, 2), 13.107F);
+  EXPECT_EQ (depth.at<float> (0, 2), 0.0F) << "saturated";
 }
 
-TEST (Images, FloatDepthIsMetresWhateverTheScale)
+TEST (Images, FloatDepthIsMetresUnlessItsScaleIsGiven)
 {
   const TemporaryFolder folder;
   const cv::Mat metres = (cv::Mat_<float> (2, 2) << 0.5F, 1.5F, 2.5F, 3.5F);
@@ -43,12 +43,16 @@ TEST (Images, FloatDepthIsMetresWhateverTheScale)
     EXPECT_EQ (cv::norm (io::readDepth (folder (name), 1000.0), metres, cv::NORM_INF),
                0)
         << name;
+  for (const char* name : {"d.tiff", "d.pfm", "d.DPT"}) {
+    const cv::Mat depth = io::readDepth (folder (name), 1000.0, 500.0);
+    EXPECT_FLOAT_EQ (depth.at<float> (1, 1), 0.007F) << name;
+  }
 }
 
 TEST (Images, DepthRoundTripDropsWhatIsNoMeasurement)
 {
   const TemporaryFolder folder;
-  const cv::Mat depth = (cv::Mat_<float> (1, 4) << 1.234F, kNan, -1.0F, 1e6F);
+  const cv::Mat depth = (cv::Mat_<float> (1, 4) << 1.234F, kNan, 65.535F, 1e6F);
   io::writeDepth (folder ("d.png"), depth, 1000.0);
   const cv::Mat back = io::readDepth (folder ("d.png"), 1000.0);
   EXPECT_FLOAT_EQ (back.at<float> (0, 0), 1.234F);
@@ -108,6 +112,23 @@ TEST (Images, ColourIsEightBitGreyOrBgr)
   const cv::Mat bgr = io::readColor (folder ("alpha.png"));
   ASSERT_EQ (bgr.type(), CV_8UC3);
   EXPECT_EQ (bgr.at<cv::Vec3b> (0, 0), cv::Vec3b (1, 2, 3));
+}
+
+/** Infrared and ToF cameras fill any part of 16 bits. */
+TEST (Images, DeepGreyKeepsWhatEightBitsWouldDrop)
+{
+  const TemporaryFolder folder;
+  const cv::Mat dark = (cv::Mat_<std::uint16_t> (1, 3) << 0, 100, 400);
+  const cv::Mat light = (cv::Mat_<std::uint16_t> (1, 3) << 0, 100, 800);
+  cv::imwrite (folder ("a.png"), dark);
+  cv::imwrite (folder ("b.png"), light);
+  io::RgbdImages a, b;
+  io::readColor (folder ("a.png"), a);
+  io::readColor (folder ("b.png"), b);
+  io::unifyColors ({&a, &b});
+  EXPECT_EQ (a.color.at<cv::Vec3b> (0, 1), b.color.at<cv::Vec3b> (0, 1));
+  EXPECT_GT (a.color.at<cv::Vec3b> (0, 1)[0], 25);
+  EXPECT_LT (a.color.at<cv::Vec3b> (0, 2)[0], b.color.at<cv::Vec3b> (0, 2)[0]);
 }
 
 TEST (Images, LabelsRoundTripIn16Bits)

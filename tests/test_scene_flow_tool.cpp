@@ -20,6 +20,7 @@ namespace {
 using namespace pcl_msf;
 using namespace pcl_msf::testing;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const std::string kTool = PCL_MSF_TOOL;
 
@@ -211,6 +212,50 @@ TEST_F (SceneFlowTool, RefusesFilesInOneLine)
   expectRefusal (" --cloud a.pcd --cloud b.pcd" + output, "a.pcd: no such file");
   writeFile (folder_ ("file"), "");
   expectRefusal (depths ("d1.png") + " --output " + folder_ ("file/out"), "file/out");
+}
+
+TEST_F (SceneFlowTool, SaysWhatDepthAWrongScaleMakes)
+{
+  scene_.writeImages (folder_);
+  const std::string depths = " --depth " + folder_ ("d0.png") + " --depth " +
+                             folder_ ("d1.png") + " --camera 150,150,79.5,59.5" +
+                             " --output " + folder_ ("out") + " --depth-scale ";
+  expectRefusal (
+      depths + "0.001",
+      "d0.png: depth is 5000000 to 10000000 m with --depth-scale 0.001; give "
+      "units per metre, for example 1000");
+  for (const int k : {0, 1})
+    cv::imwrite (folder_ ("mm" + std::to_string (k) + ".tiff"),
+                 cv::Mat (SmallScene::depth (k) * 400.0));
+  const std::string floats = " --quiet --depth " + folder_ ("mm0.tiff") + " --depth " +
+                             folder_ ("mm1.tiff") + " --camera 150,150,79.5,59.5" +
+                             " --output " + folder_ ("out");
+  const ToolRun warned = run (floats);
+  EXPECT_THAT (
+      warned.err,
+      HasSubstr ("mm0.tiff: depth is 400 to 800 m; give --depth-scale, units per "
+                 "metre, for example 1000"));
+  const ToolRun scaled = run (floats + " --depth-scale 400");
+  ASSERT_EQ (scaled.status, 0) << scaled.err;
+  EXPECT_THAT (scaled.err, Not (HasSubstr ("depth is")));
+  pcl::PointCloud<PointXYZRGBFlow> cloud;
+  ASSERT_EQ (pcl::io::loadPCDFile (result ("scene_flow_0_1.pcd"), cloud), 0);
+  EXPECT_NEAR (cloud (75, 65).z, 1.0, 1e-3);
+}
+
+TEST_F (SceneFlowTool, SaysOnceThatCloudsHaveNoColour)
+{
+  scene_.writeClouds (folder_);
+  pcl::PointCloud<pcl::PointXYZ> bare;
+  ASSERT_EQ (pcl::io::loadPCDFile (folder_ ("k1.pcd"), bare), 0);
+  pcl::io::savePCDFileBinary (folder_ ("bare.pcd"), bare);
+  const std::string first = " --quiet --cloud " + folder_ ("k0.pcd") + " --cloud ";
+  const ToolRun done =
+      run (first + folder_ ("bare.pcd") + " --output " + folder_ ("out"));
+  ASSERT_EQ (done.status, 0) << done.err;
+  EXPECT_EQ (done.errorLines(), 1) << done.err;
+  EXPECT_THAT (done.err,
+               HasSubstr ("bare.pcd: no colour found (fields x y z): geometry alone"));
 }
 
 TEST_F (SceneFlowTool, EndsCleanlyOnASignal)

@@ -2,15 +2,14 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/number_text.h"
 #include <pcl_msf/pinhole_camera.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -25,9 +24,7 @@ bool
 parse (const std::string& text, Number& value)
 {
   Number parsed{};
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars (text.data(), end, parsed);
-  if (text.empty() || result.ec != std::errc() || result.ptr != end)
+  if (!parseNumber (text, parsed))
     return false;
   if constexpr (std::is_floating_point_v<Number>)
     if (!std::isfinite (parsed))

@@ -2,14 +2,13 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "csv.h"
 
-#include "io/number_text.h"
+#include "core/number_text.h"
+#include "io/input_file.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/text_files.h>
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 namespace pcl_msf::tool {
@@ -88,8 +87,8 @@ template <typename Number>
 void
 readField (const std::string& text, const std::string& name, Number& value)
 {
-  if (!io::parseNumber (text, value))
-    throw InvalidInput (name + ": '" + text + "' is no number");
+  if (!parseNumber (text, value))
+    throw InvalidInput (name + ": '" + text + "' is no number; the file is damaged");
 }
 
 } // namespace
@@ -125,7 +124,7 @@ parseRow (const std::string& line)
   if (fields.size() != names.size())
     throw InvalidInput ("there are " + std::to_string (fields.size()) +
                         " fields where " + std::to_string (names.size()) +
-                        " are expected");
+                        " are expected; the file is damaged or of another version");
   Row row;
   readField (fields[0], names[0], row.pair);
   row.dataset = fields[1];
@@ -155,10 +154,8 @@ class LineReader {
 public:
   explicit LineReader (const std::string& path) : path_ (path)
   {
-    std::ifstream stream (path, std::ios::binary);
-    if (!stream)
-      throw IoError (path + ": cannot be read; check the path");
-    text_.assign (std::istreambuf_iterator<char> (stream), {});
+    constexpr std::uint64_t kLargest = std::uint64_t{1} << 32;
+    text_ = io::InputFile (path).text (kLargest);
   }
 
   /** False at the end, and for a last line without an end. */
@@ -205,12 +202,12 @@ readHead (LineReader& reader, ResultFile& file)
   file.settings = reader.after ("# settings ");
   const std::string shard = reader.after ("# shard ");
   const std::size_t slash = std::min (shard.find ('/'), shard.size() - 1);
-  if (!io::parseNumber (shard.substr (0, slash), file.shard.index) ||
-      !io::parseNumber (shard.substr (slash + 1), file.shard.count) ||
+  if (!parseNumber (shard.substr (0, slash), file.shard.index) ||
+      !parseNumber (shard.substr (slash + 1), file.shard.count) ||
       file.shard.index < 1 || file.shard.index > file.shard.count)
-    reader.fail ("shard: '" + shard + "' is none of 1/N to N/N");
-  if (!io::parseNumber (reader.after ("# pairs "), file.pairs))
-    reader.fail ("pairs: no number");
+    reader.fail ("shard: '" + shard + "' is none of 1/N to N/N; the file is damaged");
+  if (!parseNumber (reader.after ("# pairs "), file.pairs))
+    reader.fail ("pairs: no number; the file is damaged");
   if (!reader.after (namesText()).empty())
     reader.fail ("columns: other columns; the file is of another version");
 }

@@ -97,10 +97,18 @@ inputOptions (EvaluateOptions& o)
             }},
            {"--depth-scale",
             "S",
-            "units per metre of 16-bit depth in place of the data set's",
+            "units per metre of depth in place of the data set's; not for those that "
+            "define it",
             [&o] (const std::string& s) {
               return parse (s, o.reading.depth_scale.emplace()) &&
                      *o.reading.depth_scale > 0.0;
+            }},
+           {"--max-time-difference",
+            "S",
+            "between colour and depth images of TUM and folders, seconds [0.02]",
+            [&o] (const std::string& s) {
+              return parse (s, o.reading.max_time_difference) &&
+                     o.reading.max_time_difference > 0.0;
             }},
            {"--pass",
             "WORD",

@@ -31,7 +31,8 @@ requireOneRun (const std::vector<Source>& sources)
                         other.file.settings + "'; they are no shards of one run");
     if (other.file.shard.count != first.file.shard.count)
       throw UsageError (both + "shards " + first.file.shard.text() + " and " +
-                        other.file.shard.text() + " are not of one division");
+                        other.file.shard.text() +
+                        " are not of one division; run all with one N");
   }
 }
 

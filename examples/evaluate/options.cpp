@@ -5,6 +5,7 @@
 #include <pcl/console/print.h>
 
 #include "common/option_values.h"
+#include "core/number_text.h"
 #include "evaluate_option_table.h"
 #include "method.h"
 #include "score.h"
@@ -31,9 +32,10 @@ takeDataset (const std::vector<std::string>& words, EvaluateOptions& options)
     throw UsageError ("'" + words[0] + "': no data set; give one of " + list);
   const std::size_t expected = options.dataset == "generated" ? 1 : 2;
   if (words.size() < expected)
-    throw UsageError (words[0] + ": needs a path");
+    throw UsageError (words[0] + ": needs a path; give the data set's folder after it");
   if (words.size() > expected)
-    throw UsageError ("'" + words[expected] + "': one word too many");
+    throw UsageError ("'" + words[expected] +
+                      "': one word too many; give a data set and a path");
   if (expected == 2)
     options.path = words[1];
 }
@@ -64,7 +66,7 @@ expandMethods (EvaluateOptions& options)
   std::sort (sorted.begin(), sorted.end());
   const auto twice = std::adjacent_find (sorted.begin(), sorted.end());
   if (twice != sorted.end())
-    throw UsageError ("--methods: '" + *twice + "' is given twice");
+    throw UsageError ("--methods: '" + *twice + "' is given twice; leave one away");
   for (const std::string& method : options.methods)
     makeMethod (method, options.threads);
 }
@@ -73,11 +75,12 @@ void
 checkRanges (const EvaluateOptions& options)
 {
   if (options.step < 1)
-    throw UsageError ("--step: must be >= 1");
+    throw UsageError ("--step: " + std::to_string (options.step) + ", must be >= 1");
   if (options.limit < 0)
-    throw UsageError ("--limit: must be >= 0");
+    throw UsageError ("--limit: " + std::to_string (options.limit) + ", must be >= 0");
   if (options.jobs < 1 || options.jobs > 1024)
-    throw UsageError ("--jobs: must be 1 to 1024");
+    throw UsageError ("--jobs: " + std::to_string (options.jobs) +
+                      ", must be 1 to 1024");
   if (options.shard.count > 1 && options.csv.empty())
     throw UsageError ("--shard: needs --csv, where the shard's rows go");
 }
@@ -113,7 +116,7 @@ parseEvaluateOptions (int argc, const char* const* argv)
   if (options.merge) {
     options.merged = words;
     if (words.empty())
-      throw UsageError ("--merge: no files to merge");
+      throw UsageError ("--merge: no files to merge; give the shards' .csv");
     return options;
   }
   takeDataset (words, options);
@@ -145,9 +148,11 @@ EvaluateOptions::settings() const
                                  reading.camera->fy,
                                  reading.camera->cx,
                                  reading.camera->cy})
-        text += " " + std::to_string (value);
+        text += " " + fixedText (value, 6);
     if (reading.depth_scale)
-      text += " depth_scale=" + std::to_string (*reading.depth_scale);
+      text += " depth_scale=" + fixedText (*reading.depth_scale, 6);
+    if (reading.max_time_difference != io::DatasetOptions().max_time_difference)
+      text += " max_time_difference=" + fixedText (reading.max_time_difference, 6);
   }
   text += std::string (" pairs=") + (pairs == Pairs::Adjacent ? "adjacent" : "0-k") +
           " step=" + std::to_string (step) + " limit=" + std::to_string (limit) +

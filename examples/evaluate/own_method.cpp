@@ -92,7 +92,8 @@ OwnMethod::apply (const std::string& setting)
     taken = found->set (value);
   }
   if (!taken)
-    throw UsageError ("--methods: '" + value + "' is no value of " + key);
+    throw UsageError ("--methods: '" + value + "' is no value of " + key +
+                      "; see this option in pcl_msf_scene_flow --help");
 }
 
 bool

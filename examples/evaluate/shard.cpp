@@ -22,7 +22,7 @@ variable (const char* name)
   int value = 0;
   if (!parse (text, value))
     throw UsageError (std::string ("--shard auto: ") + name + "='" + text +
-                      "' is no number");
+                      "' is no number; give I/N");
   return value;
 }
 
@@ -79,13 +79,15 @@ parseShard (const std::string& text)
   Shard shard;
   std::optional<int> count;
   if (slash < text.size() && !parse (text.substr (slash + 1), count.emplace()))
-    throw UsageError ("--shard: '" + text + "' is neither I/N nor auto");
+    throw UsageError ("--shard: '" + text +
+                      "' is neither I/N nor auto; give for example 1/4");
   if (first == "auto")
     shard = fromLauncher (count);
   else if (count && parse (first, shard.index))
     shard.count = *count;
   else
-    throw UsageError ("--shard: '" + text + "' is neither I/N nor auto");
+    throw UsageError ("--shard: '" + text +
+                      "' is neither I/N nor auto; give for example 1/4");
   if (shard.count < 1 || shard.index < 1 || shard.index > shard.count)
     throw UsageError ("--shard: " + shard.text() + " is none of 1/N to N/N");
   return shard;

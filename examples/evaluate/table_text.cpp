@@ -2,9 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "table_text.h"
 
+#include "core/number_text.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace pcl_msf::tool {
@@ -46,9 +47,7 @@ cell (double value, int decimals)
 {
   if (!std::isfinite (value))
     return "-";
-  char text[64];
-  std::snprintf (text, sizeof text, "%.*f", decimals, value);
-  return text;
+  return fixedText (value, decimals);
 }
 
 } // namespace pcl_msf::tool

@@ -35,9 +35,15 @@ load (const WorkItem& item)
   PairData pair;
   pair.reference = item.sequence->frame (item.from);
   pair.current = item.sequence->frame (item.to);
+  io::unifyColors ({&pair.reference, &pair.current});
   if (pair.reference.depth.size() != pair.current.depth.size())
     throw IoError (item.name + ": frames " + std::to_string (item.from) + " and " +
-                   std::to_string (item.to) + ": size: they differ in size");
+                   std::to_string (item.to) +
+                   ": size: " + std::to_string (pair.reference.depth.cols) + "x" +
+                   std::to_string (pair.reference.depth.rows) + " and " +
+                   std::to_string (pair.current.depth.cols) + "x" +
+                   std::to_string (pair.current.depth.rows) +
+                   "; all frames must have one size");
   if (pair.reference.color.empty() || pair.current.color.empty()) {
     pair.reference.color.release();
     pair.current.color.release();

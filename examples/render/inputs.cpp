@@ -4,6 +4,7 @@
 
 #include "common/command_line.h"
 #include "common/interruption.h"
+#include "common/tool_main.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/data_folder.h>
 #include <pcl_msf/io/images.h>
@@ -61,7 +62,8 @@ requireFrame (const io::DataFolder& folder, int frame)
 {
   if (frame >= folder.frames())
     throw UsageError (folder.path() + " has " + std::to_string (folder.frames()) +
-                      " frames, there is no frame " + std::to_string (frame));
+                      " frames, there is no frame " + std::to_string (frame) +
+                      "; choose another by --frame or --window");
 }
 
 /** Last frame that pictures of the way through the window need; 0 = none does. */
@@ -100,7 +102,11 @@ loadResult (const RenderOptions& options)
     flow.visibility = io::readColor (seen);
     if (flow.visibility.type() != CV_8UC1 ||
         flow.visibility.size() != flow.labels.size())
-      throw IoError (seen + ": image: not of the scene flow's size");
+      throw IoError (seen + ": image: " + std::to_string (flow.visibility.cols) + "x" +
+                     std::to_string (flow.visibility.rows) + ", the scene flow " +
+                     std::to_string (flow.labels.cols) + "x" +
+                     std::to_string (flow.labels.rows) +
+                     "; give the folder as pcl_msf_scene_flow wrote it");
   }
   if (!options.sequence.empty()) {
     const io::DataFolder frames (options.sequence);
@@ -153,6 +159,16 @@ private:
   Oversegmentation segments_;
 };
 
+/** Of the frames that matter most, for all. */
+double
+colorUnit (const io::RgbdImages& reference, const io::DataFolder& folder, int frame)
+{
+  if (reference.raw_color.empty())
+    return 1.0;
+  const io::RgbdImages current = folder.frame (frame);
+  return io::colorUnit ({&reference, &current});
+}
+
 /** A folder with frames: the scene flow is computed here. */
 RenderInputs
 estimate (const RenderOptions& options)
@@ -161,6 +177,11 @@ estimate (const RenderOptions& options)
   const int last = std::max (lastOfWindow (options), options.frame);
   requireFrame (folder, last);
   io::RgbdImages reference = folder.frame (0);
+  if (!reference.note.empty())
+    complain ("pcl_msf_render",
+              "warning: " + options.input + ": frame 0: " + reference.note);
+  const double unit = colorUnit (reference, folder, options.frame);
+  io::setColorUnit (reference, unit);
   const Estimation estimation (reference);
   RenderInputs inputs;
   inputs.result.reference_color = reference.color;
@@ -169,7 +190,8 @@ estimate (const RenderOptions& options)
       continue;
     if (!options.quiet && isatty (STDERR_FILENO) != 0)
       std::fprintf (stderr, "scene flow from frame 0 to %d\n", k);
-    const io::RgbdImages images = folder.frame (k);
+    io::RgbdImages images = folder.frame (k);
+    io::setColorUnit (images, unit);
     SceneFlow flow = estimation.to (images, [] { return !interrupted(); });
     inputs.displacements.push_back (flow.displacement);
     if (k == options.frame) {
@@ -183,10 +205,11 @@ estimate (const RenderOptions& options)
 } // namespace
 
 visualization::ResultClouds
-estimatePair (const io::RgbdImages& reference,
-              const io::RgbdImages& current,
+estimatePair (io::RgbdImages reference,
+              io::RgbdImages current,
               const std::function<bool()>& go_on)
 {
+  io::unifyColors ({&reference, &current});
   visualization::ResultClouds result;
   result.scene_flow = Estimation (reference).to (current, go_on);
   result.reference_color = reference.color;
@@ -202,12 +225,14 @@ loadRenderInputs (const RenderOptions& options)
   if (fs::exists (result))
     return loadResult (options);
   if (!fs::is_directory (options.input))
-    throw IoError (options.input + ": folder: there is none of that name");
+    throw IoError (options.input +
+                   ": folder: there is none of that name; check the path");
   if (!fs::exists (fs::path (options.input) / "camera.txt") &&
       !fs::exists (fs::path (options.input) / "cloud_0.pcd"))
     throw IoError (options.input + ": neither scene_flow_0_" +
                    std::to_string (options.frame) +
-                   ".pcd of pcl_msf_scene_flow nor frames with camera.txt in it");
+                   ".pcd of pcl_msf_scene_flow nor frames with camera.txt in it; give "
+                   "a folder with either");
   return estimate (options);
 }
 

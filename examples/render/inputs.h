@@ -27,8 +27,8 @@ loadRenderInputs (const RenderOptions& options);
 /** \brief Scene flow between two frames, with the default parameters.
  * \param go_on asked after every iteration; false gives up with Interrupted */
 visualization::ResultClouds
-estimatePair (const io::RgbdImages& reference,
-              const io::RgbdImages& current,
+estimatePair (io::RgbdImages reference,
+              io::RgbdImages current,
               const std::function<bool()>& go_on);
 
 } // namespace pcl_msf::tool

@@ -36,7 +36,8 @@ check (const RenderOptions& o)
   if (!o.style.isValid (&why))
     throw UsageError ("--" + why);
   if (o.frame < 1 || o.window < 0)
-    throw UsageError ("--frame, --window: must be 1 or more");
+    throw UsageError ("--frame, --window: " + std::to_string (o.frame) + ", " +
+                      std::to_string (o.window) + "; must be 1 or more");
   if (o.scene.arrow_step < 0 || !(o.scene.arrow_scale >= 0.0))
     throw UsageError ("--arrow-step, --arrow-scale: must not be negative");
   if (!(o.field_of_view > 1.0 && o.field_of_view < 170.0) || !(o.zoom > 0.0))

@@ -2,12 +2,14 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "inputs.h"
 
+#include "depth_check.h"
 #include <pcl_msf/io/cloud_files.h>
 #include <pcl_msf/io/datasets.h>
 #include <pcl_msf/io/images.h>
 
 #include <cmath>
 #include <future>
+#include <utility>
 
 namespace pcl_msf::tool {
 
@@ -22,11 +24,13 @@ openSequence (const Options& options)
   io::DatasetOptions dataset;
   dataset.camera = options.camera;
   dataset.depth_scale = options.depth_scale;
+  dataset.max_time_difference = options.max_time_difference;
   const auto sequences = io::openDataset ("auto", options.sequence, dataset);
   if (sequences.size() != 1)
     throw UsageError ("'" + options.sequence + "': holds " +
-                      std::to_string (sequences.size()) +
-                      " sequences; give one of their folders");
+                      std::to_string (sequences.size()) + " sequences, " +
+                      sequences.front()->name() + ", " + sequences.at (1)->name() +
+                      ", ...; give one of their folders");
   return sequences.front();
 }
 
@@ -45,7 +49,8 @@ checkSize (const char* option,
 
 } // namespace
 
-Inputs::Inputs (const Options& options) : options_ (options)
+Inputs::Inputs (const Options& options, Warn warn)
+: options_ (options), warn_ (std::move (warn))
 {
   if (!options.sequence.empty())
     sequence_ = openSequence (options);
@@ -54,8 +59,9 @@ Inputs::Inputs (const Options& options) : options_ (options)
   const int standard = sequence_ ? std::min (frames(), kDefaultWindow) : frames();
   window_ = options.window > 0 ? std::min (options.window, frames()) : standard;
   if (options.reference >= window_)
-    throw UsageError ("--reference: must be less than the window's " +
-                      std::to_string (window_) + " frames");
+    throw UsageError ("--reference: " + std::to_string (options.reference) +
+                      ", must be less than the window's " + std::to_string (window_) +
+                      " frames");
 }
 
 int
@@ -80,14 +86,31 @@ Inputs::loadFrame (int frame) const
   if (sequence_)
     return sequence_->frame (frame);
   if (!options_.cloud.empty())
-    return io::readCloudImages (options_.cloud[frame], options_.camera);
+    return io::readCloudImages (
+        options_.cloud[frame], options_.camera, options_.depth_scale.value_or (1.0));
   io::RgbdImages images;
   images.camera = *options_.camera;
   images.depth = io::readDepth (options_.depth[frame],
-                                options_.depth_scale.value_or (kDefaultDepthScale));
+                                options_.depth_scale.value_or (kDefaultDepthScale),
+                                options_.depth_scale.value_or (1.0));
   if (!options_.color.empty())
-    images.color = io::readColor (options_.color[frame]);
+    io::readColor (options_.color[frame], images);
   return images;
+}
+
+std::string
+Inputs::nameOf (int frame) const
+{
+  if (sequence_)
+    return options_.sequence + ": frame " + std::to_string (frame);
+  return options_.cloud.empty() ? options_.depth[frame] : options_.cloud[frame];
+}
+
+void
+Inputs::warnOnce (const std::string& kind, const std::string& text)
+{
+  if (warned_.insert (kind).second)
+    warn_ (text);
 }
 
 void
@@ -113,8 +136,47 @@ Inputs::checkSizes (int first, const std::vector<io::RgbdImages>& images) const
   }
 }
 
+void
+Inputs::checkContent (int first, const std::vector<io::RgbdImages>& images)
+{
+  for (std::size_t i = 0; i < images.size(); ++i) {
+    const std::string name = nameOf (first + static_cast<int> (i));
+    if (!images[i].note.empty())
+      warnOnce ("colour", name + ": " + images[i].note);
+    const std::string problem =
+        checkDepth (images[i].depth, options_.frame, name, options_.depth_scale);
+    if (!problem.empty())
+      warnOnce ("depth", problem);
+  }
+}
+
+void
+Inputs::unifyColors (int first, std::vector<io::RgbdImages>& images)
+{
+  bool all = true;
+  for (const io::RgbdImages& image : images)
+    all &= !image.color.empty();
+  for (std::size_t i = 0; i < images.size(); ++i)
+    if (!all && !images[i].color.empty()) {
+      warnOnce ("colour",
+                nameOf (first + static_cast<int> (i)) +
+                    ": its colour is not used, for other frames have none: geometry "
+                    "alone");
+      images[i].color.release();
+      images[i].raw_color.release();
+    }
+  std::vector<const io::RgbdImages*> frames;
+  for (const io::RgbdImages& image : images)
+    frames.push_back (&image);
+  const double unit = color_unit_.value_or (io::colorUnit (frames));
+  for (io::RgbdImages& image : images)
+    io::setColorUnit (image, unit);
+  if (options_.track)
+    color_unit_ = unit;
+}
+
 std::vector<io::RgbdImages>
-Inputs::load (int first, int count) const
+Inputs::load (int first, int count)
 {
   std::vector<std::future<io::RgbdImages>> later;
   for (int i = 1; i < count; ++i)
@@ -123,13 +185,9 @@ Inputs::load (int first, int count) const
   std::vector<io::RgbdImages> images{loadFrame (first)};
   for (auto& image : later)
     images.push_back (image.get());
-  bool colorless = false;
-  for (const io::RgbdImages& image : images)
-    colorless |= image.color.empty();
-  if (colorless)
-    for (io::RgbdImages& image : images)
-      image.color.release();
   checkSizes (first, images);
+  checkContent (first, images);
+  unifyColors (first, images);
   return images;
 }
 

@@ -110,7 +110,7 @@ writePoses (const Trajectory& trajectory, const Options& options)
 
 /** Windows that share a frame. */
 void
-runWindows (const Options& options, const Inputs& inputs)
+runWindows (const Options& options, Inputs& inputs)
 {
   Trajectory trajectory;
   const bool several = inputs.frames() > inputs.window();
@@ -126,7 +126,7 @@ runWindows (const Options& options, const Inputs& inputs)
 }
 
 void
-runTracking (const Options& options, const Inputs& inputs)
+runTracking (const Options& options, Inputs& inputs)
 {
   Trajectory trajectory;
   Tracking tracking (options, inputs);
@@ -143,7 +143,9 @@ int
 run (const Options& given)
 {
   Options options = given;
-  const Inputs inputs (options);
+  Inputs inputs (options, [] (const std::string& problem) {
+    complain (kProgram, "warning: " + problem);
+  });
   if (options.output.empty())
     options.output = std::filesystem::absolute (options.sequence + "/.")
                          .parent_path()

@@ -3,21 +3,19 @@
 #include "option_table.h"
 
 #include "common/option_values.h"
+#include "core/number_text.h"
 
-#include <sstream>
+#include <type_traits>
 #include <utility>
 
 namespace pcl_msf::tool {
 
 namespace {
 
-template <typename T>
 std::string
-withDefault (const std::string& help, const T& value)
+withDefault (const std::string& help, const std::string& value)
 {
-  std::ostringstream text;
-  text << help << " [" << value << "]";
-  return text.str();
+  return help + " [" + value + "]";
 }
 
 template <typename Number>
@@ -27,13 +25,18 @@ numeric (const std::string& name,
          const std::string& help,
          Number& value)
 {
-  return {name, argument, withDefault (help, value), number (value)};
+  std::string preset;
+  if constexpr (std::is_integral_v<Number>)
+    preset = std::to_string (value);
+  else
+    preset = generalText (value);
+  return {name, argument, withDefault (help, preset), number (value)};
 }
 
 Option
 switchable (const std::string& name, const std::string& help, bool& value)
 {
-  return {name, "0|1", withDefault (help, value), boolean (value)};
+  return {name, "0|1", withDefault (help, value ? "1" : "0"), boolean (value)};
 }
 
 /** One of several words, listed in the help with the default's. */
@@ -83,9 +86,16 @@ inputOptions (Options& o)
         [&o] (const std::string& s) { return parseCamera (s, o.camera.emplace()); }},
        {"--depth-scale",
         "S",
-        "units per metre of 16-bit depth [1000]",
+        "units per metre of depth images or clouds [1000 for 16 bit, else 1]",
         [&o] (const std::string& s) {
           return parse (s, o.depth_scale.emplace()) && *o.depth_scale > 0.0;
+        }},
+       {"--max-time-difference",
+        "S",
+        withDefault ("between colour and depth images of a recording, seconds",
+                     generalText (o.max_time_difference)),
+        [&o] (const std::string& s) {
+          return parse (s, o.max_time_difference) && o.max_time_difference > 0.0;
         }},
        {"--labels",
         "FILE",

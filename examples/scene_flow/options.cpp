@@ -4,6 +4,7 @@
 
 #include <pcl/console/print.h>
 
+#include "core/number_text.h"
 #include "option_table.h"
 
 namespace pcl_msf::tool {
@@ -26,7 +27,8 @@ checkFiles (const Options& options)
 {
   const bool images = !options.color.empty() || !options.depth.empty();
   if (images && !options.cloud.empty())
-    throw UsageError ("--cloud: not together with --color or --depth");
+    throw UsageError (
+        "--cloud: not together with --color or --depth; give clouds or images");
   if (options.cloud.empty()) {
     checkCount ("--depth", options.depth.size(), options.depth.size());
     if (!options.color.empty())
@@ -48,16 +50,22 @@ checkInputs (const Options& options)
   if (options.sequence.empty())
     checkFiles (options);
   else if (files)
-    throw UsageError ("'" + options.sequence +
-                      "': not together with --color, --depth or --cloud");
+    throw UsageError (
+        "'" + options.sequence +
+        "': not together with --color, --depth or --cloud; give the folder or "
+        "files");
   if (options.window < 0 || options.window == 1)
-    throw UsageError ("--window: must be 0 or at least 2");
+    throw UsageError ("--window: " + std::to_string (options.window) +
+                      ", must be 0 or at least 2");
   if (options.reference < 0)
-    throw UsageError ("--reference: must be >= 0");
+    throw UsageError ("--reference: " + std::to_string (options.reference) +
+                      ", must be >= 0");
   if (options.track && (options.reference > 0 || !options.labels.empty()))
-    throw UsageError ("--track: not together with --reference or --labels");
+    throw UsageError ("--track: not together with --reference or --labels; leave these "
+                      "away");
   if (options.track && options.window > 16)
-    throw UsageError ("--window: must be at most 16 with --track");
+    throw UsageError ("--window: " + std::to_string (options.window) +
+                      ", must be at most 16 with --track");
 }
 
 template <typename Parameters>
@@ -95,7 +103,8 @@ parseOptions (int argc, const char* const* argv)
   if (options.rigid)
     options.segmentation.method = SegmentationMethod::Single;
   if (options.flow_maximum < 0.0)
-    throw UsageError ("--flow-max: must be >= 0");
+    throw UsageError ("--flow-max: " + generalText (options.flow_maximum) +
+                      ", must be >= 0, in pixels");
   return options;
 }
 

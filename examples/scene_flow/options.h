@@ -25,6 +25,7 @@ struct Options {
   bool track{false};              ///< frame by frame, the reference is kept
   std::optional<PinholeCamera> camera;
   std::optional<double> depth_scale; ///< units per metre
+  double max_time_difference{0.02};  ///< of images that a recording pairs, seconds
   std::string output;                ///< folder; empty with a sequence = named after it
   std::string labels;                ///< label image in place of the segmentation
   double flow_maximum{0.0};          ///< of the flow colours, pixels; 0 = automatic

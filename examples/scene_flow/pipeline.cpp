@@ -69,7 +69,7 @@ limitThreads (const Options& options)
 }
 
 Outcome
-runPipeline (const Options& options, const Inputs& inputs, int first, int count)
+runPipeline (const Options& options, Inputs& inputs, int first, int count)
 {
   limitThreads (options);
   ProgressLine line (!options.quiet);

@@ -45,6 +45,6 @@ limitThreads (const Options& options);
 /** \brief From files to the result of the window that begins at a frame.
  * \throws IoError, InvalidInput, UsageError, Interrupted */
 Outcome
-runPipeline (const Options& options, const Inputs& inputs, int first, int count);
+runPipeline (const Options& options, Inputs& inputs, int first, int count);
 
 } // namespace pcl_msf::tool

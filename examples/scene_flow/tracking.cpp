@@ -31,7 +31,7 @@ interruptible (SolverParameters solver)
 
 } // namespace
 
-Tracking::Tracking (const Options& options, const Inputs& inputs)
+Tracking::Tracking (const Options& options, Inputs& inputs)
 : options_ (options)
 , inputs_ (inputs)
 , tracker_ (trackerParameters (inputs),

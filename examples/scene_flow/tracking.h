@@ -13,7 +13,7 @@ namespace pcl_msf::tool {
 class Tracking {
 public:
   /** \throws InvalidInput */
-  Tracking (const Options& options, const Inputs& inputs);
+  Tracking (const Options& options, Inputs& inputs);
 
   /** \brief Takes the next frame. \return the result for it alone; without frames for
    * the first one \throws IoError, InvalidInput, UsageError, Interrupted */
@@ -34,7 +34,7 @@ private:
   };
 
   const Options& options_;
-  const Inputs& inputs_;
+  Inputs& inputs_;
   SceneFlowTracker tracker_;
   Taken reference_;
   Taken newest_;

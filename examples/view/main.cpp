@@ -36,7 +36,7 @@ makeCommandLine (RenderOptions& options)
       {"--help", "", "print this", flag (options.help)}};
   line.take_word = [&options] (const std::string& word) {
     if (!options.input.empty())
-      throw UsageError ("'" + word + "': one input is enough");
+      throw UsageError ("'" + word + "': one input is enough; leave it away");
     options.input = word;
   };
   return line;

@@ -3,6 +3,7 @@
 #include <pcl_msf/cloud_conversions.h>
 
 #include <algorithm>
+#include <locale>
 #include <sstream>
 
 namespace pcl_msf {
@@ -134,6 +135,7 @@ estimateCamera (const cv::Mat& points, PinholeCamera& camera, std::string* why)
   const PinholeCamera fit{x.focal(), y.focal(), x.center(), y.center()};
   const double error = projectionError (points, fit);
   std::ostringstream text;
+  text.imbue (std::locale::classic());
   if (std::isnan (error))
     text << "no point has a depth, so there is no camera to estimate";
   else if (!fit.isValid (points.cols, points.rows))

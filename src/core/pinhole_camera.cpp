@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/number_text.h"
 #include <pcl_msf/pinhole_camera.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace pcl_msf {
 
@@ -21,11 +21,14 @@ PinholeCamera::isValid (int width, int height, std::string* why) const
   const bool ok = width > 0 && height > 0 && focal_ok (fx) && focal_ok (fy) &&
                   center_ok (cx, width) && center_ok (cy, height);
   if (!ok && why) {
-    std::ostringstream text;
-    text << "no camera for " << width << "x" << height << " images: fx " << fx
-         << ", fy " << fy << ", cx " << cx << ", cy " << cy
-         << "; give focal lengths and principal point in pixels";
-    *why = text.str();
+    *why = "no camera for " + std::to_string (width) + "x" + std::to_string (height) +
+           " images: fx " + generalText (fx) + ", fy " + generalText (fy) + ", cx " +
+           generalText (cx) + ", cy " + generalText (cy);
+    if (fx < 0.0 || fy < 0.0) // as some data sets have for images upside down
+      *why += "; focal lengths must be positive: flip the images and the principal "
+              "point instead";
+    else
+      *why += "; give focal lengths and principal point in pixels";
   }
   return ok;
 }

@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 
+#include "core/number_text.h"
 #include <pcl_msf/cloud_conversions.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/impl/registration_steps.h>
@@ -66,8 +67,8 @@ checkedCamera (const PinholeCamera& camera, const CloudImages& source)
     throw InvalidInput (why + ", by setCamera");
   if (projectionError (source.points, camera) > kSuspiciousError)
     PCL_WARN ("[pcl_msf::PiecewiseRigidRegistration::align] the source's points miss "
-              "their pixels by %g px: is setCamera's camera the source's own?\n",
-              projectionError (source.points, camera));
+              "their pixels by %s px: is setCamera's camera the source's own?\n",
+              generalText (projectionError (source.points, camera)).c_str());
   return camera;
 }
 

@@ -5,10 +5,13 @@
 #include "core/depth_pyramid.h"
 #include "core/noise.h"
 #include "core/normals.h"
+#include "core/number_text.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/rgbd_frame.h>
 
 #include <algorithm>
+#include <limits>
+#include <string>
 
 namespace pcl_msf {
 
@@ -57,6 +60,19 @@ toIntensity (const cv::Mat& color)
   return intensity;
 }
 
+/** What there is of measurements. */
+std::string
+rangeText (const cv::Mat& depth)
+{
+  cv::Mat measured = depth > 0.0;
+  measured &= depth < std::numeric_limits<float>::infinity();
+  if (cv::countNonZero (measured) == 0)
+    return "there is none";
+  double nearest = 0.0, farthest = 0.0;
+  cv::minMaxLoc (depth, &nearest, &farthest, nullptr, nullptr, measured);
+  return "it is " + generalText (nearest) + " to " + generalText (farthest);
+}
+
 cv::Mat
 unitOrZero (const cv::Mat& normals)
 {
@@ -99,7 +115,10 @@ RgbdFrame::fromImages (const cv::Mat& color,
   level.inverse_depth =
       inverseDepth (depth, parameters.min_depth, parameters.max_depth);
   if (cv::countNonZero (level.inverse_depth) == 0)
-    throw InvalidInput ("no valid depth: check its unit (metres) and the depth limits");
+    throw InvalidInput ("no valid depth: " + rangeText (depth) + ", and " +
+                        generalText (parameters.min_depth) + " to " +
+                        generalText (parameters.max_depth) +
+                        " m are used; check its unit (metres) and the depth limits");
   frame.inverse_depth_noise_ = estimateInverseDepthNoise (level.inverse_depth);
   if (!color.empty()) {
     level.intensity = toIntensity (color);

@@ -27,7 +27,11 @@ void
 setBodies (const cv::Mat& bodies, SceneFlow& flow)
 {
   if (bodies.type() != CV_32SC1 || bodies.size() != flow.labels.size())
-    throw InvalidInput ("motion groups: the image is of another type or size");
+    throw InvalidInput ("motion groups: the image is " + std::to_string (bodies.cols) +
+                        "x" + std::to_string (bodies.rows) + ", the scene flow " +
+                        std::to_string (flow.labels.cols) + "x" +
+                        std::to_string (flow.labels.rows) +
+                        "; give the CV_32SC1 image that belongs to it");
   for (SegmentMotion& segment : flow.segments)
     segment.body = -1;
   for (int row = bodies.rows - 1; row >= 0; --row)

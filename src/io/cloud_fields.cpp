@@ -2,16 +2,21 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "io/cloud_fields.h"
 
+#include <pcl/common/io.h>
+
+#include "io/input_file.h"
 #include <pcl_msf/errors.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <initializer_list>
 #include <limits>
 
 namespace pcl_msf::io {
 
 namespace {
+
+using Field = pcl::PCLPointField;
 
 template <typename T>
 double
@@ -22,122 +27,124 @@ load (const unsigned char* bytes)
   return static_cast<double> (value);
 }
 
-/** A field's value in a point; NaN for types that are no numbers. */
-double
-number (const unsigned char* point, const pcl::PCLPointField& field)
+/** The first field of that name in small or large letters that has a value. */
+const Field*
+find (const pcl::PCLPointCloud2& cloud, const std::string& name)
 {
-  const unsigned char* bytes = point + field.offset;
-  switch (field.datatype) {
-  case pcl::PCLPointField::FLOAT32:
+  for (const Field& field : cloud.fields)
+    if (field.count > 0 && lowerCase (field.name) == name)
+      return &field;
+  return nullptr;
+}
+
+CloudChannel
+findFloat (const pcl::PCLPointCloud2& cloud,
+           const std::string& name,
+           const std::string& path)
+{
+  const Field* field = find (cloud, name);
+  if (!field ||
+      (field->datatype != Field::FLOAT32 && field->datatype != Field::FLOAT64))
+    throw IoError (path + ": field " + name +
+                   (field ? ": it is no float" : ": there is none") +
+                   "; a cloud with x y z in metres is needed");
+  return {field->offset, field->datatype};
+}
+
+/** The field rgb or rgba. */
+const Field*
+findColor (const pcl::PCLPointCloud2& cloud)
+{
+  const Field* field = find (cloud, "rgb");
+  return field ? field : find (cloud, "rgba");
+}
+
+/** Red, green and blue in three fields, as PDAL, CloudCompare and scripts write them.
+ */
+std::vector<CloudChannel>
+findThree (const pcl::PCLPointCloud2& cloud)
+{
+  using Names = std::array<const char*, 3>;
+  for (const Names& names : {Names{"b", "g", "r"}, Names{"blue", "green", "red"}}) {
+    std::vector<CloudChannel> channels;
+    for (const char* name : names)
+      if (const Field* field = find (cloud, name))
+        channels.push_back ({field->offset, field->datatype});
+    if (channels.size() == names.size())
+      return channels;
+  }
+  return {};
+}
+
+std::vector<CloudChannel>
+findIntensity (const pcl::PCLPointCloud2& cloud)
+{
+  for (const char* name : {"intensity", "intensities", "gray", "grey"})
+    if (const Field* field = find (cloud, name))
+      return {{field->offset, field->datatype}};
+  return {};
+}
+
+} // namespace
+
+double
+CloudChannel::value (const unsigned char* bytes) const
+{
+  bytes += offset;
+  switch (type) {
+  case Field::FLOAT32:
     return load<float> (bytes);
-  case pcl::PCLPointField::FLOAT64:
+  case Field::FLOAT64:
     return load<double> (bytes);
-  case pcl::PCLPointField::UINT8:
+  case Field::UINT8:
     return load<std::uint8_t> (bytes);
-  case pcl::PCLPointField::INT8:
+  case Field::INT8:
     return load<std::int8_t> (bytes);
-  case pcl::PCLPointField::UINT16:
+  case Field::UINT16:
     return load<std::uint16_t> (bytes);
-  case pcl::PCLPointField::INT16:
+  case Field::INT16:
     return load<std::int16_t> (bytes);
-  case pcl::PCLPointField::UINT32:
+  case Field::UINT32:
     return load<std::uint32_t> (bytes);
-  case pcl::PCLPointField::INT32:
+  case Field::INT32:
     return load<std::int32_t> (bytes);
   default:
     return std::numeric_limits<double>::quiet_NaN();
   }
 }
 
-const pcl::PCLPointField*
-find (const pcl::PCLPointCloud2& cloud, const std::string& name)
-{
-  for (const auto& field : cloud.fields)
-    if (field.name == name)
-      return &field;
-  return nullptr;
-}
-
-pcl::PCLPointField
-findFloat (const pcl::PCLPointCloud2& cloud,
-           const std::string& name,
-           const std::string& path)
-{
-  const auto* field = find (cloud, name);
-  const bool is_float = field && (field->datatype == pcl::PCLPointField::FLOAT32 ||
-                                  field->datatype == pcl::PCLPointField::FLOAT64);
-  if (!is_float)
-    throw IoError (path + ": field " + name +
-                   ": missing or no float; a cloud with x y z in metres is needed");
-  return *field;
-}
-
-/** The field rgb or rgba, four bytes of whatever type. */
-const pcl::PCLPointField*
-findPacked (const pcl::PCLPointCloud2& cloud, const std::string& path)
-{
-  const auto* field = find (cloud, "rgb");
-  if (!field)
-    field = find (cloud, "rgba");
-  if (field && field->datatype != pcl::PCLPointField::FLOAT32 &&
-      field->datatype != pcl::PCLPointField::UINT32 &&
-      field->datatype != pcl::PCLPointField::INT32)
-    throw IoError (path + ": field " + field->name +
-                   ": not of four bytes; PCL packs colours into four");
-  return field;
-}
-
-/** Intensities are 0 .. 1 in some clouds and 0 .. 255 in others. */
-double
-scaleOf (const pcl::PCLPointCloud2& cloud, const pcl::PCLPointField& intensity)
-{
-  double largest = 0.0;
-  for (std::size_t i = 0; i < cloud.data.size(); i += cloud.point_step) {
-    const double value = number (cloud.data.data() + i, intensity);
-    if (std::isfinite (value))
-      largest = std::max (largest, value);
-  }
-  return largest <= 1.0 ? 255.0 : 1.0;
-}
-
-} // namespace
-
 CloudFields::CloudFields (const pcl::PCLPointCloud2& cloud, const std::string& path)
-: x_ (findFloat (cloud, "x", path))
-, y_ (findFloat (cloud, "y", path))
-, z_ (findFloat (cloud, "z", path))
-, packed_ (findPacked (cloud, path))
-, intensity_ (find (cloud, "intensity"))
+: position_{findFloat (cloud, "x", path),
+            findFloat (cloud, "y", path),
+            findFloat (cloud, "z", path)}
 {
-  if (!packed_ && intensity_)
-    intensity_scale_ = scaleOf (cloud, *intensity_);
+  if (const Field* field = findColor (cloud)) {
+    const std::size_t size = pcl::getFieldSize (field->datatype);
+    if (field->count >= 3) // red comes first
+      for (const std::size_t at : {2, 1, 0})
+        numbers_.push_back ({field->offset + at * size, field->datatype});
+    else if (size == 4)
+      packed_ = CloudChannel{field->offset, field->datatype};
+    else
+      throw IoError (
+          path + ": field " + field->name + ": " +
+          std::to_string (size * field->count) +
+          " bytes; PCL packs a colour into four: use these, or fields r g b");
+  }
+  else
+    numbers_ = findThree (cloud);
+  if (!packed_ && numbers_.empty())
+    numbers_ = findIntensity (cloud);
 }
 
 void
 CloudFields::position (const unsigned char* bytes, float& x, float& y, float& z) const
 {
-  x = static_cast<float> (number (bytes, x_));
-  y = static_cast<float> (number (bytes, y_));
-  z = static_cast<float> (number (bytes, z_));
+  x = static_cast<float> (position_[0].value (bytes));
+  y = static_cast<float> (position_[1].value (bytes));
+  z = static_cast<float> (position_[2].value (bytes));
   if (!std::isfinite (x) || !std::isfinite (y) || !std::isfinite (z))
     x = y = z = std::numeric_limits<float>::quiet_NaN();
-}
-
-std::uint32_t
-CloudFields::color (const unsigned char* bytes) const
-{
-  constexpr std::uint32_t kOpaque = 0xFF000000U;
-  if (packed_) {
-    std::uint32_t packed = 0;
-    std::memcpy (&packed, bytes + packed_->offset, sizeof (packed));
-    return packed | kOpaque;
-  }
-  if (!intensity_)
-    return 0;
-  const double value = number (bytes, *intensity_) * intensity_scale_;
-  const auto gray = static_cast<std::uint32_t> (
-      std::isfinite (value) ? std::clamp (std::round (value), 0.0, 255.0) : 0.0);
-  return kOpaque | (gray << 16) | (gray << 8) | gray;
 }
 
 } // namespace pcl_msf::io

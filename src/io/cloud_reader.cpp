@@ -1,71 +1,71 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include <pcl/console/print.h>
-#include <pcl/io/pcd_io.h>
-#include <pcl/PCLPointCloud2.h>
-
+#include "io/cloud_colors.h"
 #include "io/cloud_fields.h"
-#include "io/pcd_header.h"
+#include "io/pcd_blob.h"
 #include "io/sensor_pose.h"
 #include <pcl_msf/cloud_conversions.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/cloud_files.h>
 
-#include <exception>
+#include <cmath>
 #include <string>
 
 namespace pcl_msf::io {
 
 namespace {
 
-pcl::PCLPointCloud2
-readBlob (const std::string& path,
-          Eigen::Vector4f& sensor_origin,
-          Eigen::Quaternionf& sensor_orientation)
-{
-  checkPcdHeader (path);
-  pcl::PCLPointCloud2 blob;
-  int status = -1;
-  try {
-    pcl::PCDReader reader;
-    int version = 0;
-    status = reader.read (path, blob, sensor_origin, sensor_orientation, version);
-  }
-  catch (const std::exception&) {
-    status = -1;
-  }
-  const bool whole =
-      blob.data.size() == std::size_t{blob.width} * blob.height * blob.point_step;
-  if (status < 0 || !whole)
-    throw IoError (path + ": points: PCL cannot read them; the file is damaged");
-  return blob;
-}
+using Cloud = pcl::PointCloud<pcl::PointXYZRGBA>;
 
-} // namespace
-
-pcl::PointCloud<pcl::PointXYZRGBA>::Ptr
-readOrganizedCloud (const std::string& path)
+/** Positions alone. */
+Cloud::Ptr
+pointsOf (const pcl::PCLPointCloud2& blob, const CloudFields& fields)
 {
-  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGBA>>();
-  const pcl::PCLPointCloud2 blob =
-      readBlob (path, cloud->sensor_origin_, cloud->sensor_orientation_);
-  const CloudFields fields (blob, path);
-  cloud->resize (blob.width, blob.height);
+  Cloud::Ptr cloud (new Cloud (blob.width, blob.height));
   cloud->is_dense = false;
   for (std::size_t i = 0; i < cloud->size(); ++i) {
-    const unsigned char* bytes = blob.data.data() + i * blob.point_step;
     pcl::PointXYZRGBA& point = (*cloud)[i];
-    fields.position (bytes, point.x, point.y, point.z);
-    point.rgba = fields.color (bytes);
+    fields.position (blob.data.data() + i * blob.point_step, point.x, point.y, point.z);
+    point.rgba = 0;
   }
   return cloud;
 }
 
-RgbdImages
-readCloudImages (const std::string& path, const std::optional<PinholeCamera>& camera)
+} // namespace
+
+Cloud::Ptr
+readOrganizedCloud (const std::string& path)
 {
-  const auto cloud = readOrganizedCloud (path);
-  const cv::Mat points = pointImage (*cloud);
+  Viewpoint viewpoint;
+  const pcl::PCLPointCloud2 blob = readPcd (path, &viewpoint);
+  const CloudFields fields (blob, path);
+  const Cloud::Ptr cloud = pointsOf (blob, fields);
+  setViewpoint (viewpoint, *cloud);
+  RgbdImages images;
+  takeColors (blob, fields, images);
+  for (int row = 0; row < images.color.rows; ++row)
+    for (int col = 0; col < images.color.cols; ++col) {
+      pcl::PointXYZRGBA& point = (*cloud) (col, row);
+      const cv::Vec3b& bgr = images.color.at<cv::Vec3b> (row, col);
+      point.b = bgr[0];
+      point.g = bgr[1];
+      point.r = bgr[2];
+      point.a = 255;
+    }
+  return cloud;
+}
+
+RgbdImages
+readCloudImages (const std::string& path,
+                 const std::optional<PinholeCamera>& camera,
+                 double units_per_metre)
+{
+  if (!std::isfinite (units_per_metre) || units_per_metre <= 0.0)
+    throw InvalidInput ("units_per_metre: must be > 0, e.g. 1000 for millimetres");
+  Viewpoint viewpoint;
+  const pcl::PCLPointCloud2 blob = readPcd (path, &viewpoint);
+  const CloudFields fields (blob, path);
+  const cv::Mat points = pointImage (*pointsOf (blob, fields));
   RgbdImages images;
   std::string why;
   if (camera)
@@ -73,9 +73,10 @@ readCloudImages (const std::string& path, const std::optional<PinholeCamera>& ca
   else if (!estimateCamera (points, images.camera, &why))
     throw IoError (path + ": camera: " + why + "; give the camera");
   images.depth = depthImage (points);
-  if (cloud->front().a != 0)
-    images.color = colorImage (*cloud);
-  images.viewpoint = viewpointOf (*cloud);
+  if (units_per_metre != 1.0)
+    images.depth /= units_per_metre;
+  images.viewpoint = viewpoint;
+  takeColors (blob, fields, images);
   return images;
 }
 

@@ -71,7 +71,8 @@ private:
       else
         return result;
     }
-    file_.fail ("line " + std::to_string (rows_.size() + 1), "a quote is not closed");
+    file_.fail ("line " + std::to_string (rows_.size() + 1),
+                "a quote is not closed; the file is cut short or no CSV");
   }
   bool
   take (char c)
@@ -96,7 +97,7 @@ readCsvTable (const std::string& path)
   const std::string text = file.text();
   Rows rows = CsvReader (text, file).rows();
   if (rows.empty())
-    file.fail ("header", "the file is empty");
+    file.fail ("header", "the file is empty; give a table of pcl_msf_evaluate");
   HtmlTable table;
   table.title = std::filesystem::path (path).filename().string();
   table.header = rows.front();
@@ -104,7 +105,8 @@ readCsvTable (const std::string& path)
     if (rows[i].size() > table.header.size())
       file.fail ("line " + std::to_string (i + 1),
                  std::to_string (rows[i].size()) + " cells, the header has " +
-                     std::to_string (table.header.size()));
+                     std::to_string (table.header.size()) +
+                     "; the file is damaged or of another format");
     rows[i].resize (table.header.size());
     table.rows.push_back (std::move (rows[i]));
   }

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <opencv2/imgcodecs.hpp>
 
+#include "io/datasets/file_lists.h"
 #include "io/decode_image.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/cloud_files.h>
@@ -11,7 +12,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <initializer_list>
 #include <limits>
 
 namespace pcl_msf::io {
@@ -22,9 +22,9 @@ namespace fs = std::filesystem;
 
 /** The first file `stem` + extension that exists, or nothing. */
 std::string
-firstOf (const std::string& stem, std::initializer_list<const char*> extensions)
+firstOf (const std::string& stem, const std::vector<std::string>& extensions)
 {
-  for (const char* extension : extensions)
+  for (const std::string& extension : extensions)
     if (fs::is_regular_file (stem + extension))
       return stem + extension;
   return {};
@@ -80,7 +80,7 @@ std::string
 DataFolder::colorPath (int frame) const
 {
   const auto stem = fs::path (path_) / ("color_" + std::to_string (frame));
-  return firstOf (stem.string(), {".png", ".jpg", ".jpeg", ".ppm", ".pgm"});
+  return firstOf (stem.string(), kColorExtensions);
 }
 
 std::string
@@ -105,13 +105,15 @@ DataFolder::frame (int frame, std::optional<double> depth_scale) const
   RgbdImages images;
   if (depth.empty()) {
     images = readCloudImages (cloudPath (frame),
-                              camera_ ? std::optional (camera_->camera) : std::nullopt);
+                              camera_ ? std::optional (camera_->camera) : std::nullopt,
+                              depth_scale.value_or (1.0));
   }
   else {
     images.camera = camera_->camera;
-    images.depth = readDepth (depth, depth_scale.value_or (camera_->depth_scale));
+    images.depth = readDepth (
+        depth, depth_scale.value_or (camera_->depth_scale), depth_scale.value_or (1.0));
     if (!color.empty())
-      images.color = readColor (color);
+      readColor (color, images);
   }
   const cv::Size size =
       camera_ ? cv::Size (camera_->width, camera_->height) : images.depth.size();
@@ -143,7 +145,8 @@ DataFolder::sceneFlow (int frame) const
     return {};
   cv::Mat scene_flow = readPfm (path);
   if (scene_flow.type() != CV_32FC3)
-    throw IoError (path + ": type: a scene flow has three channels (PF)");
+    throw IoError (path + ": type: one channel (Pf), and a scene flow has three "
+                          "(PF); give the file as it was written");
   replaceUnknown (scene_flow);
   return scene_flow;
 }

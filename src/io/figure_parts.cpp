@@ -4,10 +4,9 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "core/number_text.h"
+
 #include <algorithm>
-#include <iomanip>
-#include <locale>
-#include <sstream>
 
 namespace pcl_msf::io {
 
@@ -80,10 +79,7 @@ textWidth (const std::string& text, int height)
 std::string
 shortNumber (double number)
 {
-  std::ostringstream text;
-  text.imbue (std::locale::classic());
-  text << std::setprecision (3) << number;
-  return text.str();
+  return generalText (number, 3);
 }
 
 } // namespace pcl_msf::io

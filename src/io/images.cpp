@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <opencv2/imgcodecs.hpp>
 
+#include "core/number_text.h"
 #include "io/decode_image.h"
 #include "io/input_file.h"
 #include "io/output_file.h"
@@ -18,11 +19,22 @@ namespace pcl_msf::io {
 namespace {
 
 constexpr int kNoLabel = 65535;
+constexpr int kSaturated = 65535; ///< of 16-bit depth: farther than that, or nothing
 
 [[noreturn]] void
 fail (const std::string& path, const std::string& what)
 {
   throw IoError (path + ": " + what);
+}
+
+/** For example "8 bit in 3 channels". */
+std::string
+typeText (const cv::Mat& image)
+{
+  const std::string kind = image.depth() >= CV_32F ? " bit float in " : " bit in ";
+  return std::to_string (8 * image.elemSize1()) + kind +
+         std::to_string (image.channels()) +
+         (image.channels() == 1 ? " channel" : " channels");
 }
 
 void
@@ -50,24 +62,45 @@ readColor (const std::string& path)
 {
   cv::Mat image = decodeImage (path, cv::IMREAD_ANYCOLOR, "colour");
   if (image.depth() != CV_8U || (image.channels() != 1 && image.channels() != 3))
-    fail (path, "colour: not 8-bit grey or colour; convert it to an 8-bit PNG");
+    fail (path,
+          "colour: " + typeText (image) +
+              ", not 8-bit grey or colour; convert it to an 8-bit PNG");
   return image;
 }
 
-cv::Mat
-readDepth (const std::string& path, double depth_scale)
+void
+readColor (const std::string& path, RgbdImages& images)
 {
-  if (!std::isfinite (depth_scale) || depth_scale <= 0.0)
-    fail (path, "depth scale: must be > 0, in units per metre");
-  cv::Mat image = decodeDepth (path);
+  const cv::Mat image = decodeImage (path, cv::IMREAD_UNCHANGED, "colour");
+  if (image.type() == CV_16UC1) {
+    image.convertTo (images.raw_color, CV_32F);
+    unifyColors ({&images});
+  }
+  else if (image.type() == CV_8UC1 || image.type() == CV_8UC3)
+    images.color = image;
+  else
+    images.color = readColor (path);
+}
+
+cv::Mat
+readDepth (const std::string& path, double depth_scale, double float_scale)
+{
+  for (const double scale : {depth_scale, float_scale})
+    if (!std::isfinite (scale) || scale <= 0.0)
+      fail (path,
+            "depth scale: " + generalText (scale) +
+                ", must be > 0; give units per metre, for example 1000");
+  const cv::Mat image = decodeDepth (path);
   if (image.type() == CV_32FC1)
-    return image;
+    return float_scale == 1.0 ? image : cv::Mat (image / float_scale);
   if (image.type() != CV_16UC1)
     fail (path,
-          "depth: neither 16-bit integers nor 32-bit floats in one channel; give a "
-          "16-bit PNG, a float TIFF, .pfm or .dpt");
+          "depth: " + typeText (image) +
+              ", neither 16-bit integers nor 32-bit floats in one channel; give a "
+              "16-bit PNG, a float TIFF, .pfm or .dpt");
   cv::Mat depth;
   image.convertTo (depth, CV_32F, 1.0 / depth_scale);
+  depth.setTo (0.0F, image == kSaturated);
   return depth;
 }
 
@@ -79,7 +112,7 @@ writeDepth (const std::string& path, const cv::Mat& depth, double depth_scale)
   for (int row = 0; row < depth.rows; ++row)
     for (int col = 0; col < depth.cols; ++col) {
       const double value = std::round (depth.at<float> (row, col) * depth_scale);
-      const bool fits = value > 0.0 && value <= 65535.0;
+      const bool fits = value > 0.0 && value < kSaturated;
       units.at<std::uint16_t> (row, col) =
           fits ? static_cast<std::uint16_t> (value) : std::uint16_t{0};
     }
@@ -91,7 +124,9 @@ readLabels (const std::string& path)
 {
   const cv::Mat image = decodeImage (path, cv::IMREAD_UNCHANGED, "labels");
   if (image.type() != CV_8UC1 && image.type() != CV_16UC1)
-    fail (path, "labels: not 8 or 16 bit in one channel; give a 16-bit grey PNG");
+    fail (path,
+          "labels: " + typeText (image) +
+              ", not 8 or 16 bit in one channel; give a 16-bit grey PNG");
   cv::Mat labels;
   image.convertTo (labels, CV_32S);
   if (image.depth() == CV_16U)

@@ -5,9 +5,11 @@
 #include <pcl_msf/errors.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <filesystem>
 #include <iterator>
+#include <string_view>
 
 namespace pcl_msf::io {
 
@@ -15,7 +17,6 @@ namespace {
 
 constexpr std::int64_t kMaxSide = 32768;
 constexpr std::int64_t kMaxPixels = std::int64_t{1} << 26;
-constexpr std::uint64_t kMaxText = std::uint64_t{1} << 20;
 
 } // namespace
 
@@ -75,11 +76,29 @@ InputFile::line (const std::string& field)
         "ends before it is complete; the file is cut short or of another format");
 }
 
-std::string
-InputFile::text()
+void
+InputFile::skipByteOrderMark()
 {
-  if (remaining() > kMaxText)
-    fail ("size", "longer than 1 MB; it is no text file of this kind");
+  const auto begin = stream_.tellg();
+  std::array<char, 3> mark{};
+  stream_.read (mark.data(), mark.size());
+  const std::string_view read (mark.data(),
+                               static_cast<std::size_t> (stream_.gcount()));
+  stream_.clear();
+  if (read.substr (0, 2) == "\xFF\xFE" || read.substr (0, 2) == "\xFE\xFF")
+    fail ("encoding", "the text is in UTF-16; save it as UTF-8");
+  if (read != "\xEF\xBB\xBF")
+    stream_.seekg (begin);
+}
+
+std::string
+InputFile::text (std::uint64_t most)
+{
+  if (remaining() > most)
+    fail ("size",
+          std::to_string (remaining()) + " bytes, and up to " + std::to_string (most) +
+              " are read; it is no text file of this kind");
+  skipByteOrderMark();
   return {std::istreambuf_iterator<char> (stream_), {}};
 }
 
@@ -102,14 +121,18 @@ checkImageSize (const std::string& path, std::int64_t width, std::int64_t height
 }
 
 std::string
+lowerCase (std::string text)
+{
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z')
+      c = static_cast<char> (c - 'A' + 'a');
+  return text;
+}
+
+std::string
 lowerExtension (const std::string& path)
 {
-  std::string extension = std::filesystem::path (path).extension().string();
-  std::transform (
-      extension.begin(), extension.end(), extension.begin(), [] (unsigned char c) {
-        return static_cast<char> (std::tolower (c));
-      });
-  return extension;
+  return lowerCase (std::filesystem::path (path).extension().string());
 }
 
 } // namespace pcl_msf::io

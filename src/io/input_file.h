@@ -46,9 +46,15 @@ public:
   std::string
   line (const std::string& field);
 
-  /** \brief The whole rest as text, at most 1 MB. */
+  /** \brief Passes over the mark that some editors begin UTF-8 text with.
+   * \throws IoError for UTF-16 text */
+  void
+  skipByteOrderMark ();
+
+  /** \brief The whole rest as text, without a byte order mark. \param most bytes that
+   * are read, 1 MB unless given \throws IoError for longer files */
   std::string
-  text ();
+  text (std::uint64_t most = std::uint64_t{1} << 20);
 
   /** \brief Throws IoError "<path>: <field>: <problem>". */
   [[noreturn]] void
@@ -64,6 +70,10 @@ private:
  * \throws IoError naming file and field */
 void
 checkImageSize (const std::string& path, std::int64_t width, std::int64_t height);
+
+/** \brief Small letters for A to Z, in every locale (a Turkish one has others). */
+std::string
+lowerCase (std::string text);
 
 /** \brief Lower-case extension with the dot, e.g. ".png". */
 std::string

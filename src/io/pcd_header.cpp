@@ -4,8 +4,8 @@
 
 #include <pcl/io/lzf.h>
 
+#include "core/number_text.h"
 #include "io/input_file.h"
-#include "io/number_text.h"
 
 #include <cstdint>
 #include <map>
@@ -80,9 +80,15 @@ number (const InputFile& file, const char* key, const std::string& word)
   return value;
 }
 
-/** Bytes of a point, of fields whose types PCL knows. */
-std::int64_t
-pointStep (const InputFile& file, const PcdHeader& header)
+/** What a point takes in the file. */
+struct PointSize {
+  std::int64_t bytes{0};
+  std::int64_t fields{0}; ///< that have a value
+};
+
+/** Of fields whose types PCL knows. */
+PointSize
+pointSize (const InputFile& file, const PcdHeader& header)
 {
   const Words& types = header.at ("TYPE");
   const Words& sizes = header.at ("SIZE");
@@ -92,17 +98,19 @@ pointStep (const InputFile& file, const PcdHeader& header)
   if (types.size() != fields || sizes.size() != fields || counts.size() != fields)
     file.fail ("SIZE, TYPE, COUNT",
                "not one for each of FIELDS; the header is damaged");
-  std::int64_t step = 0;
+  PointSize point;
   for (std::size_t i = 0; i < fields; ++i) {
     const std::string type = types[i] + sizes[i];
     if (kTypes.count (type) == 0)
       file.fail ("TYPE, SIZE", "'" + type.substr (0, 32) + "' is no type of PCL's");
     const std::int64_t count = number (file, "COUNT", counts[i]);
-    if (count < 1 || count > 4096)
-      file.fail ("COUNT", "must be 1 .. 4096; the header is damaged");
-    step += count * number (file, "SIZE", sizes[i]);
+    if (count > 4096) // old lidar drivers wrote padding of 0, which PCL drops
+      file.fail ("COUNT",
+                 std::to_string (count) + ", must be 0 .. 4096; the header is damaged");
+    point.bytes += count * number (file, "SIZE", sizes[i]);
+    point.fields += count > 0 ? 1 : 0;
   }
-  return step;
+  return point;
 }
 
 /** PCL's reader trusts a packed cloud's sizes and reads on when unpacking has failed,
@@ -124,10 +132,13 @@ checkPacked (InputFile& file, std::int64_t bytes)
 
 } // namespace
 
-void
+int
 checkPcdHeader (const std::string& path)
 {
   InputFile file (path);
+  const std::uint64_t whole = file.remaining();
+  file.skipByteOrderMark();
+  const auto begin = static_cast<int> (whole - file.remaining());
   const PcdHeader header = readHeader (file);
   const std::int64_t width = number (file, "WIDTH", header.at ("WIDTH")[0]);
   const std::int64_t height = number (file, "HEIGHT", header.at ("HEIGHT")[0]);
@@ -138,19 +149,26 @@ checkPcdHeader (const std::string& path)
                "height points");
   checkImageSize (path, width, height);
   if (points != width * height)
-    file.fail ("POINTS", "not WIDTH x HEIGHT; the header is damaged");
-  const std::int64_t bytes = points * pointStep (file, header);
+    file.fail ("POINTS",
+               std::to_string (points) + ", not WIDTH x HEIGHT, " +
+                   std::to_string (width * height) + "; the header is damaged");
+  const PointSize point = pointSize (file, header);
   const std::string& data = header.at ("DATA")[0];
-  if (data == "binary_compressed")
-    return checkPacked (file, bytes);
+  if (data == "binary_compressed") {
+    checkPacked (file, points * point.bytes);
+    return begin;
+  }
   if (data != "binary" && data != "ascii")
-    file.fail ("DATA", "neither ascii, binary nor binary_compressed");
+    file.fail ("DATA",
+               "'" + data.substr (0, 32) +
+                   "' is neither ascii, binary nor binary_compressed");
   // Text takes a digit and a blank a value at least.
-  const auto values = points * static_cast<std::int64_t> (header.at ("FIELDS").size());
-  const std::int64_t least = data == "binary" ? bytes : 2 * values - 1;
+  const std::int64_t least =
+      data == "binary" ? points * point.bytes : 2 * points * point.fields - 1;
   if (static_cast<std::int64_t> (file.remaining()) < least)
     file.fail ("points",
                "fewer bytes than the header announces; the file is cut short");
+  return begin;
 }
 
 } // namespace pcl_msf::io

@@ -7,8 +7,9 @@
 namespace pcl_msf::io {
 
 /** \brief Checks a .pcd file's header against the size of the file, because PCL's
- * reader allocates what the header says. \throws IoError */
-void
+ * reader allocates what the header says. \return bytes before the header: those of a
+ * byte order mark, or 0 \throws IoError */
+int
 checkPcdHeader (const std::string& path);
 
 } // namespace pcl_msf::io

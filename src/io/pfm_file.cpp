@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/number_text.h"
 #include "io/input_file.h"
-#include "io/number_text.h"
 #include "io/output_file.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/float_files.h>
@@ -28,7 +28,7 @@ readSide (InputFile& file, const char* field)
   int side = 0;
   const std::string word = file.word (field);
   if (!parseNumber (word, side))
-    file.fail (field, "'" + word + "' is no number of pixels");
+    file.fail (field, "'" + word + "' is no number of pixels; the file is damaged");
   return side;
 }
 
@@ -38,14 +38,19 @@ readHeader (InputFile& file)
   PfmHeader header;
   const std::string type = file.word ("type");
   if (type != "Pf" && type != "PF")
-    file.fail ("type", "neither Pf nor PF; the file is no portable float map");
+    file.fail ("type",
+               "'" + type +
+                   "' is neither Pf nor PF; the file is no portable float map");
   header.channels = type == "PF" ? 3 : 1;
   header.width = readSide (file, "width");
   header.height = readSide (file, "height");
   double scale = 0.0;
   const std::string word = file.word ("scale");
   if (!parseNumber (word, scale) || scale == 0.0)
-    file.fail ("scale", "'" + word + "' is no scale; its sign gives the byte order");
+    file.fail (
+        "scale",
+        "'" + word +
+            "' is no scale, whose sign gives the byte order; the file is damaged");
   header.big_endian = scale > 0.0;
   checkImageSize (file.path(), header.width, header.height);
   return header;

@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <Eigen/Geometry>
 
+#include "core/number_text.h"
 #include "io/json_text.h"
 #include <pcl_msf/io/pose_files.h>
 #include <pcl_msf/io/text_files.h>
 
-#include <cstdio>
 #include <filesystem>
 
 namespace pcl_msf::io {
@@ -17,11 +17,8 @@ std::string
 listOf (const RigidPose& pose)
 {
   std::string text = "[";
-  char number[40];
-  for (int i = 0; i < 6; ++i) {
-    std::snprintf (number, sizeof number, "%s%.17g", i ? ", " : "", pose.parameters[i]);
-    text += number;
-  }
+  for (int i = 0; i < 6; ++i)
+    text += (i ? ", " : "") + generalText (pose.parameters[i], 17);
   return text + "]";
 }
 
@@ -124,19 +121,10 @@ writeTrajectory (const std::string& path, const std::vector<TimedPose>& poses)
     if (q.w() < 0.0)
       q.coeffs() *= -1.0;
     const Eigen::Vector3d t = pose.world_from_camera.translation();
-    char line[320];
-    std::snprintf (line,
-                   sizeof line,
-                   "%.6f %.9g %.9g %.9g %.9g %.9g %.9g %.9g\n",
-                   pose.seconds,
-                   t.x(),
-                   t.y(),
-                   t.z(),
-                   q.x(),
-                   q.y(),
-                   q.z(),
-                   q.w());
-    text += line;
+    text += fixedText (pose.seconds, 6);
+    for (const double n : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()})
+      text += ' ' + generalText (n, 9);
+    text += '\n';
   }
   writeText (path, text);
 }

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <pcl/io/pcd_io.h>
 
+#include "io/classic_locale.h"
 #include "io/output_file.h"
 #include "io/sensor_pose.h"
 #include <pcl_msf/errors.h>
@@ -49,7 +50,11 @@ checkResult (const std::string& path, const SceneFlow& flow, const cv::Mat& colo
                      flow.labels.size() == size && flow.visibility.size() == size &&
                      (color.empty() || color.size() == size);
   if (!whole)
-    throw IoError (path + ": scene flow: no result, or a colour image of another size");
+    throw IoError (path + ": scene flow: " + std::to_string (flow.points.cols) + "x" +
+                   std::to_string (flow.points.rows) +
+                   " points and a colour image of " + std::to_string (color.cols) +
+                   "x" + std::to_string (color.rows) +
+                   "; give a result that was estimated, and its reference's colour");
 }
 
 template <typename PointT, typename Fill>
@@ -72,6 +77,7 @@ writeCloud (const std::string& path,
       fill (row, col, point);
     }
   writeThenRename (path, [&cloud] (const std::string& temporary) {
+    const ClassicLocale classic;
     pcl::PCDWriter().writeBinary (temporary, cloud);
   });
 }

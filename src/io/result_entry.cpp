@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "io/classic_locale.h"
 #include "io/figure_parts.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/html_report.h>
@@ -115,6 +116,7 @@ readNumbers (const std::string& path)
     throw IoError (path + ": report: there is none; give a folder of "
                           "pcl_msf_scene_flow");
   try {
+    const ClassicLocale classic; // OpenCV reads numbers by strtod
     const cv::FileStorage report (path,
                                   cv::FileStorage::READ | cv::FileStorage::FORMAT_JSON);
     if (report.isOpened())
@@ -123,7 +125,8 @@ readNumbers (const std::string& path)
   catch (const cv::Exception&) {
     throw IoError (path + ": report: it is no JSON; the file is damaged");
   }
-  throw IoError (path + ": report: cannot be read");
+  throw IoError (path + ": report: OpenCV cannot open it; check its "
+                        "permissions");
 }
 
 } // namespace

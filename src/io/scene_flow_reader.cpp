@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <pcl/console/print.h>
-#include <pcl/io/pcd_io.h>
 #include <pcl/conversions.h>
 #include <pcl/PCLPointCloud2.h>
 
+#include "io/cloud_colors.h"
 #include "io/cloud_fields.h"
-#include "io/pcd_header.h"
-#include "io/sensor_pose.h"
+#include "io/pcd_blob.h"
 #include <pcl_msf/cloud_conversions.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/result_files.h>
@@ -15,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <exception>
 #include <limits>
 
 namespace pcl_msf::io {
@@ -47,44 +45,19 @@ requireFields (const pcl::PCLPointCloud2& blob, const std::string& path)
                      "give a scene_flow .pcd");
   }
   if (blob.height < 2 || blob.width < 2)
-    throw IoError (path + ": HEIGHT: the cloud is not organized");
-}
-
-/** Colours, which PCL's own conversion drops when the file holds them as integers. */
-void
-takeColors (const pcl::PCLPointCloud2& blob,
-            const std::string& path,
-            pcl::PointCloud<PointXYZRGBFlow>& cloud)
-{
-  const CloudFields fields (blob, path);
-  for (std::size_t i = 0; i < cloud.size(); ++i)
-    cloud[i].rgba = fields.color (blob.data.data() + i * blob.point_step);
+    throw IoError (path + ": WIDTH, HEIGHT: " + std::to_string (blob.width) + " x " +
+                   std::to_string (blob.height) +
+                   " is no image; give a scene_flow .pcd");
 }
 
 pcl::PointCloud<PointXYZRGBFlow>
-readPoints (const std::string& path)
+pointsOf (const pcl::PCLPointCloud2& blob)
 {
-  checkPcdHeader (path);
-  pcl::PCLPointCloud2 blob;
   pcl::PointCloud<PointXYZRGBFlow> cloud;
-  int status = -1;
-  try {
-    int version = 0;
-    status = pcl::PCDReader().read (
-        path, blob, cloud.sensor_origin_, cloud.sensor_orientation_, version);
-  }
-  catch (const std::exception&) {
-    status = -1;
-  }
-  if (status < 0 ||
-      blob.data.size() != std::size_t{blob.width} * blob.height * blob.point_step)
-    throw IoError (path + ": points: PCL cannot read them; the file is damaged");
-  requireFields (blob, path);
   const pcl::console::VERBOSITY_LEVEL before = pcl::console::getVerbosityLevel();
   pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS); // it warns about colours
   pcl::fromPCLPointCloud2 (blob, cloud);
   pcl::console::setVerbosityLevel (before);
-  takeColors (blob, path, cloud);
   return cloud;
 }
 
@@ -104,10 +77,6 @@ takePoints (const pcl::PointCloud<PointXYZRGBFlow>& cloud,
   SceneFlow& flow = stored.scene_flow;
   const cv::Size size (static_cast<int> (cloud.width), static_cast<int> (cloud.height));
   flow.points = pointImage (cloud);
-  stored.color = colorImage (cloud);
-  stored.viewpoint = viewpointOf (cloud);
-  if (cv::countNonZero (stored.color.reshape (1) != 255) == 0)
-    stored.color.release(); // written without an image
   flow.labels.create (size, CV_32SC1);
   flow.displacement.create (size, CV_32FC3);
   flow.visibility.create (size, CV_8UC1);
@@ -116,12 +85,24 @@ takePoints (const pcl::PointCloud<PointXYZRGBFlow>& cloud,
       const PointXYZRGBFlow& point = cloud (col, row);
       if (point.label != PointXYZRGBFlow::kNoLabel && point.label >= kMostSegments)
         throw IoError (path + ": label: " + std::to_string (point.label) +
-                       " is no segment's number");
+                       " is no segment's number; give a scene_flow .pcd of "
+                       "pcl_msf_scene_flow");
       const bool none = point.label == PointXYZRGBFlow::kNoLabel;
       flow.labels.at<int> (row, col) = none ? -1 : static_cast<int> (point.label);
       flow.displacement.at<cv::Vec3f> (row, col) = {point.dx, point.dy, point.dz};
       flow.visibility.at<unsigned char> (row, col) = visibilityOf (point);
     }
+}
+
+/** Empty when the file was written without an image, all white. PCL's own conversion
+ * drops colours that the file holds as integers. */
+cv::Mat
+colorOf (const pcl::PCLPointCloud2& blob, const std::string& path)
+{
+  RgbdImages images;
+  takeColors (blob, CloudFields (blob, path), images);
+  const bool known = cv::countNonZero (images.color.reshape (1) != 255) > 0;
+  return known ? images.color : cv::Mat();
 }
 
 void
@@ -166,11 +147,15 @@ StoredSceneFlow
 readSceneFlowCloud (const std::string& path)
 {
   StoredSceneFlow stored;
-  takePoints (readPoints (path), path, stored);
+  const pcl::PCLPointCloud2 blob = readPcd (path, &stored.viewpoint);
+  requireFields (blob, path);
+  takePoints (pointsOf (blob), path, stored);
+  stored.color = colorOf (blob, path);
   SceneFlow& flow = stored.scene_flow;
   std::string why;
   if (!estimateCamera (flow.points, flow.camera, &why))
-    throw IoError (path + ": camera: " + why);
+    throw IoError (path + ": camera: " + why +
+                   "; give a scene_flow .pcd of pcl_msf_scene_flow");
   projectFlow (flow);
   countSegments (flow);
   return stored;

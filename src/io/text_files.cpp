@@ -2,16 +2,15 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <Eigen/LU>
 
+#include "core/number_text.h"
 #include "io/input_file.h"
-#include "io/number_text.h"
 #include "io/output_file.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/text_files.h>
 
 #include <array>
 #include <cmath>
-#include <iomanip>
-#include <locale>
+#include <initializer_list>
 #include <sstream>
 
 namespace pcl_msf::io {
@@ -31,11 +30,13 @@ readNumbers (const std::string& path, const std::array<const char*, N>& names)
     if (!(words >> word))
       file.fail (names[i], "missing; " + std::to_string (N) + " numbers are needed");
     if (!parseNumber (word, numbers[i]) || !std::isfinite (numbers[i]))
-      file.fail (names[i], "'" + word + "' is no finite number");
+      file.fail (names[i],
+                 "'" + word + "' is no finite number; write " + std::to_string (N) +
+                     " numbers with blanks between");
   }
   std::string rest;
   if (words >> rest)
-    file.fail ("end", "'" + rest + "' follows where nothing should");
+    file.fail ("end", "'" + rest + "' follows where nothing should; remove it");
   return numbers;
 }
 
@@ -43,18 +44,19 @@ int
 imageSide (const std::string& path, const char* name, double value)
 {
   if (value != std::floor (value) || value < 1.0 || value > 1e6)
-    throw IoError (path + ": " + name +
-                   ": must be a whole number of pixels, 1 or more");
+    throw IoError (path + ": " + name + ": " + generalText (value) +
+                   ", must be a whole number of pixels, 1 or more");
   return static_cast<int> (value);
 }
 
-std::ostringstream
-exactStream ()
+/** A line of numbers that read back exactly. */
+std::string
+exactLine (std::initializer_list<double> numbers)
 {
-  std::ostringstream stream;
-  stream.imbue (std::locale::classic());
-  stream << std::setprecision (17);
-  return stream;
+  std::string line;
+  for (const double number : numbers)
+    line += (line.empty() ? "" : " ") + generalText (number, 17);
+  return line + '\n';
 }
 
 } // namespace
@@ -80,18 +82,18 @@ readCamera (const std::string& path)
   if (!file.camera.isValid (file.width, file.height, &why))
     throw IoError (path + ": fx fy cx cy: " + why);
   if (file.depth_scale <= 0.0)
-    throw IoError (path + ": depth_scale: must be > 0, in depth units per metre");
+    throw IoError (path + ": depth_scale: " + generalText (file.depth_scale) +
+                   ", must be > 0; give units per metre, for example 1000");
   return file;
 }
 
 void
 writeCamera (const std::string& path, const CameraFile& file)
 {
-  std::ostringstream text = exactStream();
-  text << file.camera.fx << ' ' << file.camera.fy << ' ' << file.camera.cx << ' '
-       << file.camera.cy << ' ' << file.width << ' ' << file.height << ' '
-       << file.depth_scale << '\n';
-  writeText (path, text.str());
+  const PinholeCamera& c = file.camera;
+  const double width = file.width, height = file.height;
+  writeText (path,
+             exactLine ({c.fx, c.fy, c.cx, c.cy, width, height, file.depth_scale}));
 }
 
 RigidPose
@@ -129,14 +131,13 @@ readPose (const std::string& path)
 void
 writePose (const std::string& path, const RigidPose& pose)
 {
-  std::ostringstream text = exactStream();
+  std::string text;
   const Eigen::Matrix3d rotation = pose.rotation();
   const Eigen::Vector3d translation = pose.translation();
   for (int row = 0; row < 3; ++row)
-    text << rotation (row, 0) << ' ' << rotation (row, 1) << ' ' << rotation (row, 2)
-         << ' ' << translation[row] << '\n';
-  text << "0 0 0 1\n";
-  writeText (path, text.str());
+    text += exactLine (
+        {rotation (row, 0), rotation (row, 1), rotation (row, 2), translation[row]});
+  writeText (path, text + "0 0 0 1\n");
 }
 
 } // namespace pcl_msf::io

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/number_text.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/synthetic/sequence_options.h>
 
 #include <cmath>
-#include <sstream>
+#include <string>
 
 namespace pcl_msf {
 
@@ -64,10 +65,11 @@ sceneFromName (const std::string& name)
 bool
 SequenceOptions::isValid (std::string* why) const
 {
-  std::ostringstream text;
+  std::string problem;
   const auto check = [&] (const char* name, double value, double low, double high) {
-    if (text.tellp() == 0 && !(value >= low && value <= high))
-      text << name << " = " << value << " must lie between " << low << " and " << high;
+    if (problem.empty() && !(value >= low && value <= high))
+      problem = std::string (name) + " = " + generalText (value) +
+                " must lie between " + generalText (low) + " and " + generalText (high);
   };
   check ("scene", static_cast<int> (scene), 0, allScenes().size() - 1.0);
   check ("width", width, 16, 4096);
@@ -75,7 +77,6 @@ SequenceOptions::isValid (std::string* why) const
   check ("frames", frames, 1, 1000);
   check ("supersampling", supersampling, 1, 8);
   check ("motion_pixels", motion_pixels, 0, 200);
-  std::string problem = text.str();
   if (problem.empty() && camera.fx != 0.0)
     camera.isValid (width, height, &problem);
   if (why)

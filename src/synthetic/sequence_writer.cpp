@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <Eigen/Geometry>
 
+#include "core/number_text.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/float_files.h>
 #include <pcl_msf/io/folders.h>
@@ -10,8 +11,7 @@
 #include <pcl_msf/synthetic/sequence_writer.h>
 
 #include <cmath>
-#include <iomanip>
-#include <sstream>
+#include <string>
 
 namespace pcl_msf {
 namespace {
@@ -29,26 +29,26 @@ writeFloatDepth (const std::string& file, const cv::Mat& depth)
 std::string
 rowsOf (const RigidPose& pose)
 {
-  std::ostringstream text;
-  text << std::setprecision (17);
+  std::string text;
   const Eigen::Matrix3d r = pose.rotation();
   const Eigen::Vector3d t = pose.translation();
   for (int i = 0; i < 3; ++i)
-    text << r (i, 0) << ' ' << r (i, 1) << ' ' << r (i, 2) << ' ' << t[i] << ' ';
-  return text.str();
+    for (const double number : {r (i, 0), r (i, 1), r (i, 2), t[i]})
+      text += generalText (number, 17) + ' ';
+  return text;
 }
 
 std::string
 objectPoses (const SyntheticSequence& sequence, std::size_t k)
 {
-  std::ostringstream text;
-  text << "# label rigid r11 r12 r13 tx r21 r22 r23 ty r31 r32 r33 tz name\n";
+  std::string text =
+      "# label rigid r11 r12 r13 tx r21 r22 r23 ty r31 r32 r33 tz name\n";
   for (std::size_t label = 0; label < sequence.bodies.size(); ++label) {
     const SyntheticBody& body = sequence.bodies[label];
-    text << label << ' ' << body.rigid << ' ' << rowsOf (body.framek_from_frame0[k])
-         << body.name << '\n';
+    text += std::to_string (label) + (body.rigid ? " 1 " : " 0 ") +
+            rowsOf (body.framek_from_frame0[k]) + body.name + '\n';
   }
-  return text.str();
+  return text;
 }
 
 void
@@ -103,28 +103,27 @@ writeTum (const SyntheticSequence& sequence, const std::string& folder)
 {
   io::makeFolder (folder + "/rgb");
   io::makeFolder (folder + "/depth");
-  std::ostringstream rgb, depth, poses;
-  rgb << "# color images\n# timestamp filename\n";
-  depth << "# depth maps\n# timestamp filename\n";
-  poses << "# ground truth trajectory\n# timestamp tx ty tz qx qy qz qw\n";
+  std::string rgb = "# color images\n# timestamp filename\n";
+  std::string depth = "# depth maps\n# timestamp filename\n";
+  std::string poses = "# ground truth trajectory\n# timestamp tx ty tz qx qy qz qw\n";
   for (std::size_t k = 0; k < sequence.frames.size(); ++k) {
-    std::ostringstream time;
-    time << std::fixed << std::setprecision (6) << 1.0 + static_cast<double> (k) / 30.0;
-    const std::string name = time.str() + ".png";
+    const std::string time = fixedText (1.0 + static_cast<double> (k) / 30.0, 6);
+    const std::string name = time + ".png";
     io::writeImage (folder + "/rgb/" + name, sequence.frames[k].color);
     io::writeDepth (folder + "/depth/" + name, sequence.frames[k].depth, 5000.0);
-    rgb << time.str() << " rgb/" << name << '\n';
-    depth << time.str() << " depth/" << name << '\n';
+    rgb += time + " rgb/" + name + '\n';
+    depth += time + " depth/" + name + '\n';
     const RigidPose& pose = sequence.frame0_from_framek[k];
     const Eigen::Vector3d t = pose.translation();
     const Eigen::Quaterniond q (pose.rotation());
-    poses << time.str() << std::setprecision (9) << ' ' << t.x() << ' ' << t.y() << ' '
-          << t.z() << ' ' << q.x() << ' ' << q.y() << ' ' << q.z() << ' ' << q.w()
-          << '\n';
+    poses += time;
+    for (const double n : {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()})
+      poses += ' ' + generalText (n, 9);
+    poses += '\n';
   }
-  io::writeText (folder + "/rgb.txt", rgb.str());
-  io::writeText (folder + "/depth.txt", depth.str());
-  io::writeText (folder + "/groundtruth.txt", poses.str());
+  io::writeText (folder + "/rgb.txt", rgb);
+  io::writeText (folder + "/depth.txt", depth);
+  io::writeText (folder + "/groundtruth.txt", poses);
 }
 
 void
@@ -155,9 +154,8 @@ writeSintel (const SyntheticSequence& sequence,
   for (const char* kind : {"clean", "depth", "camdata_left"})
     io::makeFolder (folder + "/" + kind + "/" + name);
   for (std::size_t k = 0; k < sequence.frames.size(); ++k) {
-    std::ostringstream number;
-    number << std::setw (4) << std::setfill ('0') << k + 1;
-    const std::string file = "/" + name + "/frame_" + number.str();
+    const std::string number = std::to_string (10000 + k + 1).substr (1);
+    const std::string file = "/" + name + "/frame_" + number;
     io::writeImage (folder + "/clean" + file + ".png", sequence.frames[k].color);
     writeFloatDepth (folder + "/depth" + file + ".dpt", sequence.frames[k].depth);
     io::writeCam (folder + "/camdata_left" + file + ".cam",

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <opencv2/videoio.hpp>
 
+#include "core/number_text.h"
 #include "io/output_file.h"
 #include "visualization/child_process.h"
 #include <pcl_msf/errors.h>
@@ -92,7 +93,7 @@ byFfmpeg (const std::string& path,
                       "-safe",
                       "0",
                       "-r",
-                      std::to_string (rate),
+                      fixedText (rate, 6),
                       "-i",
                       list};
   arguments.insert (arguments.end(), how.begin(), how.end());
@@ -110,7 +111,7 @@ byImageMagick (const std::string& path,
     const std::string program = findProgram (name);
     if (program.empty())
       continue;
-    Arguments arguments{program, "-delay", std::to_string (100.0 / rate), "-loop", "0"};
+    Arguments arguments{program, "-delay", fixedText (100.0 / rate, 6), "-loop", "0"};
     arguments.insert (arguments.end(), pictures.begin(), pictures.end());
     arguments.push_back ("gif:" + path);
     if (run (arguments, cancelled) && isWritten (path))

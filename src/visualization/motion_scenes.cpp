@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <opencv2/imgproc.hpp>
 
+#include "core/number_text.h"
 #include "visualization/annotations.h"
 #include "visualization/point_colors.h"
 #include "visualization/result_checks.h"
@@ -152,7 +153,7 @@ arrowScene (const ResultClouds& result, const SceneOptions& options)
   scene.scale = lengthScale (metres);
   const Layout layout = layoutOf (flow, flow.displacement, options);
   if (layout.enlarged != 1.0)
-    scene.title += cv::format (", arrows %g times as long", layout.enlarged);
+    scene.title += ", arrows " + generalText (layout.enlarged) + " times as long";
   scene.points.push_back (paleCloud (result));
   forGrid (flow.points.size(), layout.step, [&] (int row, int col) {
     const auto& p = flow.points.at<cv::Vec3f> (row, col);
@@ -183,7 +184,7 @@ trajectoryScene (const ResultClouds& result,
   Scene scene;
   scene.title = "trajectories over " + std::to_string (frames + 1) + " frames";
   if (layout.enlarged != 1.0)
-    scene.title += cv::format (", %g times as long", layout.enlarged);
+    scene.title += ", " + generalText (layout.enlarged) + " times as long";
   scene.points.push_back (paleCloud (result));
   forGrid (points.size(), layout.step, [&] (int row, int col) {
     const auto& p = points.at<cv::Vec3f> (row, col);

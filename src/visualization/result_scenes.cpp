@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/number_text.h"
 #include "visualization/point_colors.h"
 #include "visualization/result_checks.h"
 #include "visualization/seams.h"
@@ -177,7 +178,7 @@ warpScene (const ResultClouds& result,
       displacedPoints (points (result), displacement, 1.0),
       tintedColors (result.reference_color, points (result), kReferenceTint)));
   scene.legend.push_back (
-      {kReferenceTint, cv::format ("reference on its way, frame %.2f", at)});
+      {kReferenceTint, "reference on its way, frame " + fixedText (at, 2)});
   scene.blended = true;
   return titled (scene, "warp");
 }

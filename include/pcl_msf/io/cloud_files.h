@@ -14,19 +14,24 @@ namespace pcl_msf::io {
 
 /** \brief Reads an organized cloud from a .pcd file (ascii, binary or compressed).
  *
- * Fields x y z are required (metres, camera frame, NaN = no point); rgb, rgba or
- * intensity give the colour (intensity in [0, 1] or 0 .. 255), others are ignored. With
- * colour every point's alpha is 255, without any it is 0.
+ * Fields x y z are required (camera frame, NaN = no point). Colour is, in this order:
+ * rgb or rgba as PCL packs them or of three numbers; r g b; red green blue; intensity
+ * (or intensities, gray, grey). Bytes are 0 .. 255; other numbers are brought to that
+ * range by normalizeIntensity, from the values of this cloud. Other fields are ignored.
+ * With colour every point's alpha is 255, without any it is 0.
  * \throws IoError for anything else, unorganized clouds included */
 pcl::PointCloud<pcl::PointXYZRGBA>::Ptr
 readOrganizedCloud (const std::string& path);
 
-/** \brief Reads an organized cloud as images.
+/** \brief Reads an organized cloud as images, see readOrganizedCloud; `note` says when
+ * there is no colour.
  *
  * \param camera of the cloud's sensor; when not given it is taken from the points
- * (estimateCamera) \throws IoError, also when the points tell no camera */
+ * (estimateCamera) \param units_per_metre of x y z, > 0, e.g. 1000 for millimetres
+ * \throws IoError, also when the points tell no camera */
 RgbdImages
 readCloudImages (const std::string& path,
-                 const std::optional<PinholeCamera>& camera = {});
+                 const std::optional<PinholeCamera>& camera = {},
+                 double units_per_metre = 1.0);
 
 } // namespace pcl_msf::io

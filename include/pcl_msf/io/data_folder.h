@@ -57,7 +57,8 @@ public:
   cloudPath (int frame) const;
 
   /** \brief Reads a frame, from images or else from a cloud.
-   * \param depth_scale units per metre to use instead of camera.txt's
+   * \param depth_scale units per metre of the depth, whatever its type, and of clouds;
+   * when not given integers have camera.txt's, floats and clouds are metres
    * \throws IoError, also when sizes differ */
   RgbdImages
   frame (int frame, std::optional<double> depth_scale = {}) const;

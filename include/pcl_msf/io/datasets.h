@@ -17,8 +17,9 @@ struct DatasetOptions {
   /** \brief Camera of all frames, pixels; none (default) = the data set's own. */
   std::optional<PinholeCamera> camera;
 
-  /** \brief Integer units of depth per metre, > 0; none (default) = the data set's own.
-   * Cases, TUM and folders only; float depth is in metres already. */
+  /** \brief Units of depth per metre, > 0, of integers, floats and clouds; none
+   * (default) = the data set's own for integers, metres for floats and clouds. Cases,
+   * TUM, folders and clouds only: the others define their unit and refuse it. */
   std::optional<double> depth_scale;
 
   /** \brief Rendering: "clean" or "final"; Sintel and FlyingThings3D only. */

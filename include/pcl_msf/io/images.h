@@ -4,6 +4,8 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/io/rgbd_images.h>
+
 #include <string>
 
 namespace pcl_msf::io {
@@ -16,18 +18,27 @@ namespace pcl_msf::io {
 cv::Mat
 readColor (const std::string& path);
 
+/** \brief Reads a frame's colour into `color`, as above, and 16-bit grey (infrared and
+ * ToF cameras, which fill any part of the range) into `raw_color`, too. \throws IoError
+ */
+void
+readColor (const std::string& path, RgbdImages& images);
+
 /** \brief Reads a depth image.
  *
  * One-channel 16-bit integers (.png, .tiff, .pgm) are divided by `depth_scale`; floats
- * (.dpt, .pfm, .tiff, .exr) are metres already and taken as they are.
+ * (.dpt, .pfm, .tiff, .exr) are metres unless `float_scale` says otherwise.
  * \param depth_scale integer units per metre, > 0, e.g. 1000 for millimetres
- * \return CV_32FC1, metres; 0, NaN, inf or negative = no measurement, as in the file
+ * \param float_scale float units per metre, > 0
+ * \return CV_32FC1, metres; 0, NaN, inf or negative = no measurement, as in the file. A
+ * saturated integer, 65535, is none either and becomes 0
  * \throws IoError */
 cv::Mat
-readDepth (const std::string& path, double depth_scale);
+readDepth (const std::string& path, double depth_scale, double float_scale = 1.0);
 
 /** \brief Writes a 16-bit depth PNG. \param depth CV_32FC1, metres; what is no
- * measurement or does not fit into 16 bit is written as 0 \throws IoError */
+ * measurement or does not fit into 16 bit, less than 65535, is written as 0 \throws
+ * IoError */
 void
 writeDepth (const std::string& path, const cv::Mat& depth, double depth_scale);
 

@@ -7,6 +7,8 @@
 #include <pcl_msf/pinhole_camera.h>
 
 #include <array>
+#include <string>
+#include <vector>
 
 namespace pcl_msf::io {
 
@@ -24,6 +26,29 @@ struct RgbdImages {
   cv::Mat depth;         ///< CV_32FC1, metres; 0, NaN, inf or negative = none
   PinholeCamera camera;  ///< of both, pixels
   Viewpoint viewpoint{}; ///< as the cloud's file says; images have none
+
+  /** \brief What `color` was made of when the file has no bytes but numbers of a range
+   * of its own (intensities of ToF cameras, lidars, infrared; colours as floats):
+   * CV_32FC1 or CV_32FC3 (BGR), as in the file; empty otherwise. See unifyColors. */
+  cv::Mat raw_color;
+
+  /** \brief What of the file was not used, and why; empty when all was. */
+  std::string note;
 };
+
+/** \brief The unit of the frames' raw colours: what stands for full brightness when all
+ * of them are brought to one range by pcl_msf::normalizeIntensity. 1 without any. */
+double
+colorUnit (const std::vector<const RgbdImages*>& frames);
+
+/** \brief Makes `color` anew from `raw_color`: 255 for `unit` and more, CV_8UC3.
+ * Nothing happens to a frame without raw colours. \param unit > 0 */
+void
+setColorUnit (RgbdImages& frame, double unit);
+
+/** \brief Brings frames that are compared to one unit. A reader sees one frame alone
+ * and takes that frame's; where maxima differ, brightness would differ with them. */
+void
+unifyColors (const std::vector<RgbdImages*>& frames);
 
 } // namespace pcl_msf::io

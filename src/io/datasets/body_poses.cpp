@@ -16,7 +16,10 @@ readBodyPoses (const std::string& path)
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const int label = table.wholeNumber (row, 0, "label");
     if (label != static_cast<int> (row))
-      table.fail (row, "label", "labels must count from 0 on, one a line");
+      table.fail (row,
+                  "label",
+                  std::to_string (label) + " where " + std::to_string (row) +
+                      " is expected; labels must count from 0 on, one a line");
     const bool rigid = table.wholeNumber (row, 1, "rigid") != 0;
     const RigidPose pose = table.pose (row, 2);
     bodies.push_back (rigid ? std::optional (pose) : std::nullopt);

@@ -39,7 +39,7 @@ public:
     if (k < 0 || k >= frames())
       throw InvalidInput (noSuchFrame (name_, k, frames()));
     const std::string& file = files_[static_cast<std::size_t> (k)];
-    RgbdImages images = readCloudImages (file, camera());
+    RgbdImages images = readCloudImages (file, camera(), choice_.float_scale);
     requireSize (file, images.depth, choice_.size);
     return images;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/number_text.h"
 #include "io/datasets/dataset_kinds.h"
 #include "io/datasets/file_lists.h"
 #include <pcl_msf/errors.h>
@@ -21,24 +22,28 @@ enum class Guess {
   Never  ///< it is another name of one of these
 };
 
+/** Whether the user may say how many units of depth make a metre. */
+enum class DepthUnit { Asked, Known };
+
 struct Kind {
   const char* name;
   Sequences (*open) (const std::string& path, const DatasetOptions& options);
   Guess guess;
+  DepthUnit depth_unit;
 };
 
 constexpr std::array kKinds{
-    Kind{"cases", openCases, Guess::First},
-    Kind{"tum", openTum, Guess::First},
-    Kind{"sintel", openSintel, Guess::First},
-    Kind{"vkitti1", openVirtualKitti1, Guess::First},
-    Kind{"vkitti2", openVirtualKitti2, Guess::First},
-    Kind{"flyingthings", openFlyingThings, Guess::First},
-    Kind{"kitti2015", openKitti2015, Guess::First},
-    Kind{"middlebury", openMiddlebury, Guess::First},
-    Kind{"folder", openFolder, Guess::Last},
-    Kind{"bonn", openFolder, Guess::Never},
-    Kind{"pcd", openClouds, Guess::Last},
+    Kind{"cases", openCases, Guess::First, DepthUnit::Asked},
+    Kind{"tum", openTum, Guess::First, DepthUnit::Asked},
+    Kind{"sintel", openSintel, Guess::First, DepthUnit::Known},
+    Kind{"vkitti1", openVirtualKitti1, Guess::First, DepthUnit::Known},
+    Kind{"vkitti2", openVirtualKitti2, Guess::First, DepthUnit::Known},
+    Kind{"flyingthings", openFlyingThings, Guess::First, DepthUnit::Known},
+    Kind{"kitti2015", openKitti2015, Guess::First, DepthUnit::Known},
+    Kind{"middlebury", openMiddlebury, Guess::First, DepthUnit::Known},
+    Kind{"folder", openFolder, Guess::Last, DepthUnit::Asked},
+    Kind{"bonn", openFolder, Guess::Never, DepthUnit::Asked},
+    Kind{"pcd", openClouds, Guess::Last, DepthUnit::Asked},
 };
 
 std::string
@@ -55,13 +60,16 @@ checkOptions (const DatasetOptions& options)
 {
   if (options.depth_scale &&
       !(*options.depth_scale > 0.0 && std::isfinite (*options.depth_scale)))
-    throw InvalidInput ("depth_scale: must be > 0, in units per metre");
+    throw InvalidInput ("depth_scale: " + generalText (*options.depth_scale) +
+                        ", must be > 0; give units per metre, for example 1000");
   if (options.pass != "clean" && options.pass != "final")
     throw InvalidInput ("pass: '" + options.pass + "'; choose clean or final");
   if (options.view != "left" && options.view != "right")
     throw InvalidInput ("view: '" + options.view + "'; choose left or right");
   if (!(options.max_time_difference > 0.0))
-    throw InvalidInput ("max_time_difference: must be > 0, in seconds");
+    throw InvalidInput (
+        "max_time_difference: " + generalText (options.max_time_difference) +
+        ", must be > 0, in seconds");
 }
 
 /** What a kind finds, or the error that says that it is there and damaged. */
@@ -91,6 +99,16 @@ findAll (const std::string& path, const DatasetOptions& options, Guess guess)
   return findings;
 }
 
+/** A scale that is given counts, or else the caller hears that it does not. */
+void
+checkDepthScale (const Kind& kind, const DatasetOptions& options)
+{
+  if (options.depth_scale && kind.depth_unit == DepthUnit::Known)
+    throw InvalidInput ("depth_scale: " + generalText (*options.depth_scale) +
+                        " is not for the kind '" + kind.name +
+                        "', which defines its unit of depth; leave it away");
+}
+
 Sequences
 openAny (const std::string& path, const DatasetOptions& options)
 {
@@ -110,6 +128,7 @@ openAny (const std::string& path, const DatasetOptions& options)
   }
   if (findings.front().error)
     std::rethrow_exception (findings.front().error);
+  checkDepthScale (*findings.front().kind, options);
   return findings.front().sequences;
 }
 
@@ -146,6 +165,7 @@ openDataset (const std::string& kind,
       std::filesystem::absolute (given_path).lexically_normal().string();
   if (!chosen)
     return openAny (path, options);
+  checkDepthScale (*chosen, options);
   Sequences sequences = chosen->open (path, options);
   if (sequences.empty())
     throw IoError (path + ": sequences: no data set of the kind '" + kind +

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "io/datasets/file_lists.h"
 
+#include "core/number_text.h"
 #include "io/input_file.h"
-#include "io/number_text.h"
 
 #include <algorithm>
 #include <cctype>

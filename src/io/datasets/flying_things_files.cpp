@@ -26,7 +26,9 @@ readOneChannel (const std::string& path, const std::string& field)
 {
   cv::Mat image = readPfm (path);
   if (image.type() != CV_32FC1)
-    throw IoError (path + ": " + field + ": not one channel (Pf)");
+    throw IoError (
+        path + ": " + field +
+        ": three channels (PF), not one (Pf); give the file of the data set");
   return image;
 }
 
@@ -99,7 +101,9 @@ readFlyingThingsFlow (const std::string& path)
 {
   const cv::Mat image = readPfm (path);
   if (image.type() != CV_32FC3)
-    throw IoError (path + ": flow: not three channels (PF)");
+    throw IoError (path +
+                   ": flow: one channel (Pf), not three (PF); give the file of the "
+                   "data set");
   const float nan = std::numeric_limits<float>::quiet_NaN();
   cv::Mat flow (image.size(), CV_32FC2, cv::Scalar (nan, nan));
   for (int row = 0; row < image.rows; ++row)
@@ -141,7 +145,10 @@ readCameraData (const std::string& path, char view)
     if (word == "Frame")
       frame = table.wholeNumber (row, 1, "frame");
     else if (word != "L" && word != "R")
-      table.fail (row, "Frame, L or R", "the line begins with none of these");
+      table.fail (row,
+                  "Frame, L or R",
+                  "the line begins with '" + word.substr (0, 32) +
+                      "'; give the file of the data set");
     else if (word[0] == view)
       poses[frame] = table.pose (row, 1) * from_optical;
   }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/number_text.h"
 #include "io/datasets/dataset_kinds.h"
 #include "io/datasets/file_lists.h"
 #include "io/datasets/frame_parts.h"
 #include "io/datasets/listed_sequence.h"
 #include "io/datasets/timed_lists.h"
 #include "io/input_file.h"
-#include "io/number_text.h"
 #include <pcl_msf/errors.h>
 
 #include <algorithm>
@@ -21,17 +21,7 @@ namespace {
 using Names = std::vector<std::string>;
 
 const Names kColorWords{"color", "colour", "rgb", "image"};
-const Names kColorExtensions{".png", ".jpg", ".jpeg", ".ppm", ".pgm"};
 const Names kDepthExtensions{".png", ".tiff", ".tif", ".dpt", ".pfm", ".exr", ".pgm"};
-
-std::string
-lower (std::string text)
-{
-  std::transform (text.begin(), text.end(), text.begin(), [] (unsigned char c) {
-    return static_cast<char> (std::tolower (c));
-  });
-  return text;
-}
 
 bool
 hasWord (const std::string& name, const Names& words)
@@ -47,7 +37,7 @@ filesNamed (const std::string& folder, const Names& extensions, const Names& wor
 {
   Names files;
   for (const std::string& file : filesIn (folder, extensions))
-    if (hasWord (lower (std::filesystem::path (file).stem().string()), words))
+    if (hasWord (lowerCase (std::filesystem::path (file).stem().string()), words))
       files.push_back (file);
   return files;
 }
@@ -64,9 +54,9 @@ listFiles (const std::string& folder)
   FolderFiles files;
   for (const std::string& name : foldersIn (folder)) {
     const std::string path = inside (folder, name);
-    if (lower (name) == "depth")
+    if (lowerCase (name) == "depth")
       files.depth = filesIn (path, kDepthExtensions);
-    else if (files.color.empty() && (hasWord (lower (name), kColorWords)))
+    else if (files.color.empty() && (hasWord (lowerCase (name), kColorWords)))
       files.color = filesIn (path, kColorExtensions);
   }
   if (!files.depth.empty())
@@ -120,9 +110,9 @@ pairUp (const std::string& folder, const FolderFiles& found, double max_differen
     for (const auto& [c, d] : associate (color, depth, max_difference))
       frames.push_back ({color[c].file, depth[d].file, {}, color[c].time, {}, -1});
     if (frames.empty())
-      throw IoError (folder + ": frames: no colour and depth image are within " +
-                     std::to_string (max_difference) +
-                     " s by their names; allow a larger difference");
+      throw IoError (
+          folder + ": frames: by the times in the images' names " +
+          nothingAssociated (color, depth, max_difference, {"colour", "depth"}));
     return frames;
   }
   if (!found.color.empty() && found.color.size() != found.depth.size())
@@ -160,7 +150,7 @@ openOne (const std::string& name,
     frame.camera = choice.camera;
   const double scale = choice.depth_scale > 0.0 ? choice.depth_scale : 1.0;
   return std::make_shared<ListedSequence> (
-      name, std::move (frames), scale, choice.size);
+      name, std::move (frames), scale, choice.size, choice.float_scale);
 }
 
 } // namespace

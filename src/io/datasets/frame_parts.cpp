@@ -29,7 +29,7 @@ std::string
 noSuchFrame (const std::string& sequence, int frame, int frames)
 {
   return sequence + ": frame " + std::to_string (frame) + ": there are " +
-         std::to_string (frames) + " frames, from 0 on";
+         std::to_string (frames) + " frames, from 0 on; choose one of them";
 }
 
 void
@@ -48,12 +48,14 @@ makeFrame (const std::string& color_path,
            const cv::Mat& depth,
            const PinholeCamera& camera)
 {
-  RgbdImages images{{}, depth, camera};
+  RgbdImages images;
+  images.depth = depth;
+  images.camera = camera;
   std::string why;
   if (!camera.isValid (depth.cols, depth.rows, &why))
     throw IoError (depth_path + ": camera: " + why);
   if (!color_path.empty()) {
-    images.color = readColor (color_path);
+    readColor (color_path, images);
     requireSize (color_path, images.color, depth.size());
   }
   return images;
@@ -95,13 +97,16 @@ chooseCamera (const std::string& folder,
   const std::string path = inside (folder, "camera.txt");
   if (isFile (path)) {
     const CameraFile file = readCamera (path);
-    choice = {file.camera, file.depth_scale, cv::Size (file.width, file.height)};
+    choice.camera = file.camera;
+    choice.depth_scale = file.depth_scale;
+    choice.size = {file.width, file.height};
   }
   if (options.camera) {
     choice.camera = *options.camera;
     choice.size = {};
   }
   choice.depth_scale = options.depth_scale.value_or (choice.depth_scale);
+  choice.float_scale = options.depth_scale.value_or (1.0);
   return choice;
 }
 

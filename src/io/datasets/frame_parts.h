@@ -46,6 +46,7 @@ struct CameraChoice {
   PinholeCamera camera;
   double depth_scale{0.0}; ///< integer units per metre; 0 = unknown
   cv::Size size;           ///< of the images; empty = any
+  double float_scale{1.0}; ///< of float depth and of clouds, units per metre
 };
 
 /** \brief \throws IoError for a damaged camera.txt */

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "io/datasets/kitti_files.h"
 
+#include "core/number_text.h"
 #include "io/datasets/frame_parts.h"
 #include "io/datasets/text_table.h"
 #include <pcl_msf/errors.h>
@@ -41,10 +42,14 @@ readKittiCamera (const std::string& path)
   const Projection right = projectionNamed (table, path, "P_rect_03");
   KittiCamera result{{left[0], left[5], left[2], left[6]}, 0.0};
   if (!(left[0] > 0.0) || !(left[5] > 0.0))
-    throw IoError (path + ": P_rect_02: no camera; its focal length is not > 0");
+    throw IoError (path + ": P_rect_02: no camera, for its focal length is " +
+                   generalText (left[0]) + ", " + generalText (left[5]) +
+                   "; give the file of the data set");
   result.baseline = (left[3] - right[3]) / left[0];
   if (!(result.baseline > 0.0))
-    throw IoError (path + ": P_rect_03: not to the right of P_rect_02");
+    throw IoError (path + ": P_rect_03: " + generalText (result.baseline) +
+                   " m to the right of P_rect_02, must be > 0; give the file of the "
+                   "data set");
   return result;
 }
 

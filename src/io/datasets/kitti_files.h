@@ -22,7 +22,7 @@ struct KittiCamera {
 KittiCamera
 readKittiCamera (const std::string& path);
 
-/** \brief Reads disparities: 16-bit PNG / 256 with 0 = unknown, or a .pfm.
+/** \brief Reads disparities: 16-bit PNG / 256 with 0 and 65535 = unknown, or a .pfm.
  * \return CV_32FC1, pixels; not > 0 or not finite = unknown \throws IoError */
 cv::Mat
 readKittiDisparity (const std::string& path);

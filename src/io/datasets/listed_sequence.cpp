@@ -13,11 +13,13 @@ namespace pcl_msf::io {
 ListedSequence::ListedSequence (std::string name,
                                 std::vector<FrameFiles> files,
                                 double depth_scale,
-                                const cv::Size& size)
+                                const cv::Size& size,
+                                double float_scale)
 : name_ (std::move (name))
 , files_ (std::move (files))
 , depth_scale_ (depth_scale)
 , size_ (size)
+, float_scale_ (float_scale)
 {}
 
 std::string
@@ -56,7 +58,7 @@ ListedSequence::cameraPose (int k) const
 cv::Mat
 ListedSequence::depth (const FrameFiles& files) const
 {
-  return readDepth (files.depth, depth_scale_);
+  return readDepth (files.depth, depth_scale_, float_scale_);
 }
 
 const FrameFiles&

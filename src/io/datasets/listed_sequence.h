@@ -27,11 +27,12 @@ struct FrameFiles {
 class ListedSequence : public RgbdSequence {
 public:
   /** \param depth_scale integer units per metre \param size that all images must have;
-   * empty = any */
+   * empty = any \param float_scale float units per metre */
   ListedSequence (std::string name,
                   std::vector<FrameFiles> files,
                   double depth_scale,
-                  const cv::Size& size = {});
+                  const cv::Size& size = {},
+                  double float_scale = 1.0);
 
   std::string
   name () const override;
@@ -70,6 +71,7 @@ private:
   std::vector<FrameFiles> files_;
   double depth_scale_;
   cv::Size size_;
+  double float_scale_;
 };
 
 } // namespace pcl_msf::io

@@ -4,10 +4,10 @@
 
 #include <opencv2/imgcodecs.hpp>
 
+#include "core/number_text.h"
 #include "io/datasets/file_lists.h"
 #include "io/decode_image.h"
 #include "io/input_file.h"
-#include "io/number_text.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/float_files.h>
 #include <pcl_msf/io/images.h>
@@ -60,11 +60,16 @@ public:
     for (std::string word; words >> word;) {
       double number = 0.0;
       if (!parseNumber (word, number) || !std::isfinite (number))
-        file_.fail (name, "'" + word.substr (0, 32) + "' is no finite number");
+        file_.fail (name,
+                    "'" + word.substr (0, 32) +
+                        "' is no finite number; give the file of the data set");
       result.push_back (number);
     }
     if (result.size() != count)
-      file_.fail (name, std::to_string (count) + " numbers are needed");
+      file_.fail (name,
+                  std::to_string (result.size()) + " numbers where " +
+                      std::to_string (count) +
+                      " are needed; give the file of the data set");
     return result;
   }
 
@@ -73,7 +78,9 @@ public:
   {
     const std::vector<double> k = numbers (name, 9);
     if (!(k[0] > 0.0) || !(k[4] > 0.0))
-      file_.fail (name, "no camera; its focal length is not > 0");
+      file_.fail (name,
+                  "no camera, for its focal length is " + generalText (k[0]) + ", " +
+                      generalText (k[4]) + "; give the file of the data set");
     return {k[0], k[4], k[2], k[5]};
   }
 
@@ -138,7 +145,9 @@ readMiddleburyDisparity (const MiddleburyPair& pair, std::size_t view)
   else {
     disparity = readPfm (path);
     if (disparity.type() != CV_32FC1)
-      throw IoError (path + ": disparity: not one channel (Pf)");
+      throw IoError (path +
+                     ": disparity: three channels (PF), not one (Pf); give the file of "
+                     "the data set");
   }
   for (int row = 0; row < disparity.rows; ++row)
     for (int col = 0; col < disparity.cols; ++col) {

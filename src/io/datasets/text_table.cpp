@@ -4,8 +4,8 @@
 
 #include <Eigen/LU>
 
+#include "core/number_text.h"
 #include "io/input_file.h"
-#include "io/number_text.h"
 #include <pcl_msf/errors.h>
 
 #include <cmath>
@@ -22,11 +22,7 @@ constexpr std::uint64_t kLargest = std::uint64_t{1} << 26;
 TextTable::TextTable (const std::string& path, int header_lines) : path_ (path)
 {
   InputFile file (path);
-  if (file.remaining() > kLargest)
-    file.fail ("size", "longer than 64 MB; it is no list of this kind");
-  std::string text (file.remaining(), '\0');
-  file.read (text.data(), text.size(), "text");
-  std::istringstream lines (text);
+  std::istringstream lines (file.text (kLargest));
   std::string line;
   for (int number = 1; std::getline (lines, line); ++number) {
     if (number <= header_lines)
@@ -54,7 +50,11 @@ TextTable::number (std::size_t row, std::size_t column, const std::string& field
   double value = 0.0;
   const std::string& text = word (row, column, field);
   if (!parseNumber (text, value) || !std::isfinite (value))
-    fail (row, field, "'" + text.substr (0, 32) + "' is no finite number");
+    fail (row,
+          field,
+          "'" + text.substr (0, 32) +
+              "' is no finite number; numbers have a decimal point and blanks between "
+              "them");
   return value;
 }
 
@@ -66,7 +66,10 @@ TextTable::wholeNumber (std::size_t row,
   int value = 0;
   const std::string& text = word (row, column, field);
   if (!parseNumber (text, value))
-    fail (row, field, "'" + text.substr (0, 32) + "' is no whole number");
+    fail (row,
+          field,
+          "'" + text.substr (0, 32) +
+              "' is no whole number; the file is damaged or of another format");
   return value;
 }
 
@@ -83,7 +86,11 @@ TextTable::pose (std::size_t row, std::size_t column) const
   const double skewness =
       (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).norm();
   if (!(skewness < 1e-3) || rotation.determinant() < 0.0)
-    fail (row, "matrix", "no rigid motion; its rotation is not orthonormal");
+    fail (
+        row,
+        "matrix",
+        "no rigid motion, for its rotation is not orthonormal; the file is damaged or "
+        "of another format");
   return RigidPose::fromMatrix (rotation, matrix.col (3));
 }
 

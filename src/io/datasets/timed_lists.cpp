@@ -4,10 +4,12 @@
 
 #include <Eigen/Geometry>
 
+#include "core/number_text.h"
 #include "io/datasets/text_table.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace pcl_msf::io {
@@ -31,7 +33,10 @@ quaternionOf (const TextTable& table, std::size_t row)
                               table.number (row, 5, "qy"),
                               table.number (row, 6, "qz"));
   if (!(std::abs (q.norm() - 1.0) < 0.01))
-    table.fail (row, "quaternion", "its length is not 1; it is no rotation");
+    table.fail (row,
+                "quaternion",
+                "its length is " + generalText (q.norm()) +
+                    ", not 1; write a unit quaternion as qx qy qz qw");
   return q.normalized();
 }
 
@@ -46,14 +51,24 @@ between (const RigidPose& from, const RigidPose& to, double part)
 
 } // namespace
 
+double
+secondsOf (double stamp)
+{
+  constexpr double kEarliest = 1e8, kLatest = 5e9; // seconds since 1970
+  for (const double unit : {1e3, 1e6, 1e9})
+    if (stamp >= kEarliest * unit && stamp <= kLatest * unit)
+      return stamp / unit;
+  return stamp;
+}
+
 std::vector<TimedFile>
 readTimedFiles (const std::string& path)
 {
   const TextTable table (path);
   std::vector<TimedFile> list;
   for (std::size_t row = 0; row < table.rows(); ++row)
-    list.push_back (
-        {table.number (row, 0, "timestamp"), table.word (row, 1, "filename")});
+    list.push_back ({secondsOf (table.number (row, 0, "timestamp")),
+                     table.word (row, 1, "filename")});
   sortByTime (list, &TimedFile::time);
   return list;
 }
@@ -68,7 +83,7 @@ readTrajectory (const std::string& path)
                              table.number (row, 2, "ty"),
                              table.number (row, 3, "tz"));
     list.push_back (
-        {table.number (row, 0, "timestamp"),
+        {secondsOf (table.number (row, 0, "timestamp")),
          RigidPose::fromMatrix (quaternionOf (table, row).toRotationMatrix(), t)});
   }
   sortByTime (list, &TimedPose::seconds);
@@ -104,6 +119,35 @@ associate (const std::vector<TimedFile>& first,
     }
   std::sort (pairs.begin(), pairs.end());
   return pairs;
+}
+
+std::string
+nothingAssociated (const std::vector<TimedFile>& first,
+                   const std::vector<TimedFile>& second,
+                   double max_difference,
+                   const std::pair<std::string, std::string>& where)
+{
+  if (first.empty() || second.empty())
+    return "no image in " + (first.empty() ? where.first : where.second) +
+           "; give a list with a line \"timestamp filename\" for each";
+  double best = std::numeric_limits<double>::infinity();
+  std::string times;
+  for (const TimedFile& a : first) {
+    const auto later = std::lower_bound (
+        second.begin(), second.end(), a.time, [] (const TimedFile& b, double at) {
+          return b.time < at;
+        });
+    for (const auto b : {later == second.begin() ? later : later - 1, later})
+      if (b != second.end() && std::abs (b->time - a.time) < best) {
+        best = std::abs (b->time - a.time);
+        times = fixedText (a.time, 6) + " in " + where.first + " and " +
+                fixedText (b->time, 6) + " in " + where.second;
+      }
+  }
+  return "the closest are " + times + ", " + generalText (best) +
+         " s apart, and less than " + generalText (max_difference) +
+         " s are paired; give both lists the same clock in seconds, or allow a larger "
+         "max_time_difference (--max-time-difference)";
 }
 
 std::optional<RigidPose>

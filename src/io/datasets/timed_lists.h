@@ -16,6 +16,12 @@ struct TimedFile {
   std::string file;
 };
 
+/** \brief Seconds of a time stamp. Times since 1970 between the years 1973 and 2128 are
+ * taken for milliseconds, microseconds or nanoseconds when they have that size; all
+ * other numbers are seconds. */
+double
+secondsOf (double stamp);
+
 /** \brief Reads a list of "timestamp file", sorted by time. \throws IoError */
 std::vector<TimedFile>
 readTimedFiles (const std::string& path);
@@ -32,6 +38,14 @@ std::vector<std::pair<std::size_t, std::size_t>>
 associate (const std::vector<TimedFile>& first,
            const std::vector<TimedFile>& second,
            double max_difference);
+
+/** \brief What to say when nothing is associated: the two times that are closest, and
+ * the remedy. \param where names of both lists */
+std::string
+nothingAssociated (const std::vector<TimedFile>& first,
+                   const std::vector<TimedFile>& second,
+                   double max_difference,
+                   const std::pair<std::string, std::string>& where);
 
 /** \brief The pose at a time, interpolated between its neighbours; none unless both
  * are within the difference, seconds. */

@@ -43,9 +43,10 @@ openOne (const std::string& name,
       isFile (trajectory) ? readTrajectory (trajectory) : std::vector<TimedPose>();
   const auto pairs = associate (color, depth, options.max_time_difference);
   if (pairs.empty())
-    throw IoError (inside (folder, "depth.txt") + ": timestamp: none is within " +
-                   std::to_string (options.max_time_difference) +
-                   " s of one in rgb.txt; allow a larger difference");
+    throw IoError (
+        inside (folder, "depth.txt") + ": timestamp: " +
+        nothingAssociated (
+            color, depth, options.max_time_difference, {"rgb.txt", "depth.txt"}));
   const CameraChoice choice = chooseCamera (
       folder, options, {cameraNamed (lastName (folder)), kDepthScale, {640, 480}});
   std::vector<FrameFiles> files;
@@ -56,7 +57,7 @@ openOne (const std::string& name,
                       color[c].time,
                       poseAt (poses, color[c].time, options.max_time_difference)});
   return std::make_shared<ListedSequence> (
-      name, std::move (files), choice.depth_scale, choice.size);
+      name, std::move (files), choice.depth_scale, choice.size, choice.float_scale);
 }
 
 } // namespace

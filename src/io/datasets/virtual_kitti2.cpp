@@ -158,7 +158,8 @@ openOne (const Place& place, const DatasetOptions& options)
     frame.depth = inside (place.images ("depth"), "depth_" + padded (k, 5) + ".png");
     if (!options.camera && cameras.count (k) == 0)
       throw IoError (place.table ("intrinsic.txt") + ": frame: none for frame " +
-                     std::to_string (k) + " of camera " + std::to_string (camera));
+                     std::to_string (k) + " of camera " + std::to_string (camera) +
+                     "; give the file of the data set, or the camera");
     frame.camera = options.camera ? *options.camera : cameras[k];
     if (poses.count (k) != 0)
       frame.world_from_camera = poses[k].inverse();

@@ -35,9 +35,7 @@ endsWith (const std::string& text, const std::string& end)
 cv::Mat
 readVirtualKittiDepth (const std::string& path)
 {
-  cv::Mat depth = readDepth (path, 100.0);
-  depth.setTo (0.0F, depth >= kVirtualKittiFar);
-  return depth;
+  return readDepth (path, 100.0);
 }
 
 cv::Mat

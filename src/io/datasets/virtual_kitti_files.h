@@ -11,11 +11,8 @@
 // 2020) share, after the descriptions on their web pages.
 namespace pcl_msf::io {
 
-/** \brief Depth that stands for the far plane and beyond, 65535 cm, metres. */
-constexpr float kVirtualKittiFar = 655.35F;
-
 /** \brief Reads a 16-bit depth image in centimetres. \return CV_32FC1, metres; 0 where
- * it is at the far plane (sky) \throws IoError */
+ * it is 65535, the far plane (sky) \throws IoError */
 cv::Mat
 readVirtualKittiDepth (const std::string& path);
 

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "depth_check.h"
+
+#include "common/command_line.h"
+#include "core/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pcl_msf::tool {
+
+namespace {
+
+constexpr double kNearest = 1e-6;      // metres, of a frame
+constexpr double kUnlikelyNear = 0.01; // metres, of the median
+constexpr double kUnlikelyFar = 100.0; // metres, of the median
+constexpr double kMuchDropped = 0.25;  // of what was measured
+
+std::vector<float>
+measuredDepth (const cv::Mat& depth)
+{
+  std::vector<float> measured;
+  for (int row = 0; row < depth.rows; ++row)
+    for (int col = 0; col < depth.cols; ++col) {
+      const float z = depth.at<float> (row, col);
+      if (std::isfinite (z) && z > 0.0F)
+        measured.push_back (z);
+    }
+  std::sort (measured.begin(), measured.end());
+  return measured;
+}
+
+/** Whole metres without an exponent, as far as people read them. */
+std::string
+metresText (double metres)
+{
+  return metres >= 1000.0 && metres < 1e9 ? fixedText (metres, 0)
+                                          : generalText (metres, 4);
+}
+
+/** Names a usual scale that would bring the median to where RGB-D cameras measure.
+ * Without a given one floats had 1 and integers mostly 1000. */
+std::string
+remedy (double median, const std::optional<double>& scale)
+{
+  const std::string give =
+      scale ? "give units per metre" : "give --depth-scale, units per metre";
+  for (const double used : {scale.value_or (1.0), scale.value_or (1000.0)})
+    for (const double usual : {1000.0, 1.0, 5000.0, 10000.0, 100.0}) {
+      const double metres = median * used / usual;
+      if (usual != used && metres > 0.2 && metres < 20.0)
+        return give + ", for example " + generalText (usual);
+    }
+  return give + ", or other limits";
+}
+
+/** Whoever sets a limit wants points to be dropped. */
+bool
+areDefaults (const FrameParameters& limits)
+{
+  const FrameParameters standard;
+  return limits.min_depth == standard.min_depth &&
+         limits.max_depth == standard.max_depth;
+}
+
+} // namespace
+
+std::string
+checkDepth (const cv::Mat& depth,
+            const FrameParameters& limits,
+            const std::string& name,
+            const std::optional<double>& scale)
+{
+  const std::vector<float> measured = measuredDepth (depth);
+  if (measured.empty())
+    throw UsageError (name + ": depth: no pixel has one; give another image");
+  const double median = measured[measured.size() / 2];
+  const auto kept = std::count_if (measured.begin(), measured.end(), [&] (float z) {
+    return z >= std::max (limits.min_depth, kNearest) && z <= limits.max_depth;
+  });
+  const double dropped =
+      1.0 - static_cast<double> (kept) / static_cast<double> (measured.size());
+  const bool unlikely = median < kUnlikelyNear || median > kUnlikelyFar;
+  const bool much = kept == 0 || (dropped >= kMuchDropped && areDefaults (limits));
+  if (!much && !unlikely)
+    return {};
+  std::string text = name + ": depth is " + metresText (measured.front()) + " to " +
+                     metresText (measured.back()) + " m";
+  if (scale)
+    text += " with --depth-scale " + generalText (*scale);
+  if (much && (kept > 0 || !unlikely))
+    text += ", and " + fixedText (100.0 * dropped, 0) +
+            " % is dropped, not between --min-depth " + generalText (limits.min_depth) +
+            " and --max-depth " + generalText (limits.max_depth);
+  text += "; " + remedy (median, scale);
+  if (kept == 0)
+    throw UsageError (text);
+  return text;
+}
+
+} // namespace pcl_msf::tool
