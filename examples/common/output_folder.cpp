@@ -158,12 +158,12 @@ OutputFolder::locate (const std::string& name) const
 void
 OutputFolder::publish()
 {
-  const std::vector<std::string> names = filesBelow (stage_);
-  requireOwn (names);
-  if (earlier_.empty())
-    move (names);
-  else
-    waiting_ = names;
+  waiting_ = filesBelow (stage_);
+  if (!earlier_.empty())
+    return;
+  requireOwn (waiting_);
+  move (waiting_);
+  waiting_.clear();
 }
 
 void

@@ -92,16 +92,11 @@ inputOptions (EvaluateOptions& o)
            {"--camera",
             "FX,FY,CX,CY",
             "pinhole camera in place of the data set's, pixels",
-            [&o] (const std::string& s) {
-              return parseCamera (s, o.reading.camera.emplace());
-            }},
+            camera (o.reading.camera)},
            {"--depth-scale",
             "S",
             "units per metre of 16-bit depth in place of the data set's",
-            [&o] (const std::string& s) {
-              return parse (s, o.reading.depth_scale.emplace()) &&
-                     *o.reading.depth_scale > 0.0;
-            }},
+            positive (o.reading.depth_scale)},
            {"--pass",
             "WORD",
             "clean or final: Sintel, FlyingThings3D [clean]",

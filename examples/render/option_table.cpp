@@ -3,6 +3,7 @@
 #include "render/option_table.h"
 
 #include "common/option_values.h"
+#include "render/inputs.h"
 
 #include <optional>
 #include <utility>
@@ -74,24 +75,29 @@ kindNames ()
 std::vector<Option>
 inputOptions (RenderOptions& o)
 {
-  return {{"--sequence",
-           "FOLDER",
-           "frames of a result folder: color_K, depth_K, camera.txt "
-           "or cloud_K.pcd",
-           text (o.sequence)},
-          {"--frame",
-           "K",
-           "the current frame; the reference is frame 0 [1]",
-           number (o.frame)},
-          {"--window",
-           "K",
-           "last frame of trajectories and of the warp [--frame]",
-           number (o.window)},
-          {"--kind",
-           "KIND",
-           kindNames(),
-           [&o] (const std::string& word) { return addKind (word, o); }},
-          {"--output", "DIR", "folder for KIND.png and so on [.]", text (o.output)}};
+  return {
+      {"--sequence",
+       "FOLDER",
+       "frames of a result folder: color_K, depth_K, camera.txt, "
+       "or a data set's",
+       text (o.sequence)},
+      {"--reference",
+       "R",
+       "the frame whose points are followed [the first of a result, else 0]",
+       [&o] (const std::string& word) { return parse (word, o.reference.emplace()); }},
+      {"--frame",
+       "K",
+       "the current frame [the one after the reference]",
+       [&o] (const std::string& word) { return parse (word, o.frame.emplace()); }},
+      {"--window",
+       "K",
+       "last frame of trajectories and of the warp [--frame]",
+       number (o.window)},
+      {"--kind",
+       "KIND",
+       kindNames(),
+       [&o] (const std::string& word) { return addKind (word, o); }},
+      {"--output", "DIR", "folder for KIND.png and so on [.]", text (o.output)}};
 }
 
 std::vector<Option>
@@ -201,8 +207,10 @@ animationOptions (RenderOptions& o)
 std::vector<Option>
 renderOptionTable (RenderOptions& options)
 {
-  std::vector<Option> table;
-  for (auto make : {inputOptions, viewOptions, styleOptions, animationOptions})
+  std::vector<Option> table = inputOptions (options);
+  for (Option& option : readingOptions (options.reading))
+    table.push_back (std::move (option));
+  for (auto make : {viewOptions, styleOptions, animationOptions})
     for (Option& option : make (options))
       table.push_back (std::move (option));
   return table;

@@ -80,13 +80,11 @@ inputOptions (Options& o)
        {"--camera",
         "FX,FY,CX,CY",
         "pinhole camera, pixels; fitted to clouds when not given",
-        [&o] (const std::string& s) { return parseCamera (s, o.camera.emplace()); }},
+        camera (o.camera)},
        {"--depth-scale",
         "S",
         "units per metre of 16-bit depth [1000]",
-        [&o] (const std::string& s) {
-          return parse (s, o.depth_scale.emplace()) && *o.depth_scale > 0.0;
-        }},
+        positive (o.depth_scale)},
        {"--labels",
         "FILE",
         "16-bit label image in place of a segmentation; 65535 = none",
