@@ -2,57 +2,14 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "option_table.h"
 
-#include "common/option_values.h"
+#include "common/default_help.h"
 
-#include <sstream>
-#include <utility>
+#include <string>
+#include <vector>
 
 namespace pcl_msf::tool {
 
 namespace {
-
-template <typename T>
-std::string
-withDefault (const std::string& help, const T& value)
-{
-  std::ostringstream text;
-  text << help << " [" << value << "]";
-  return text.str();
-}
-
-template <typename Number>
-Option
-numeric (const std::string& name,
-         const std::string& argument,
-         const std::string& help,
-         Number& value)
-{
-  return {name, argument, withDefault (help, value), number (value)};
-}
-
-Option
-switchable (const std::string& name, const std::string& help, bool& value)
-{
-  return {name, "0|1", withDefault (help, value), boolean (value)};
-}
-
-/** One of several words, listed in the help with the default's. */
-template <typename Enum>
-Option
-oneOf (const std::string& name,
-       Enum& value,
-       const std::vector<std::pair<std::string, Enum>>& words)
-{
-  std::string list;
-  std::string preset;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const bool last = i + 1 == words.size();
-    list += (i == 0 ? "" : last ? " or " : ", ") + words[i].first;
-    if (words[i].second == value)
-      preset = words[i].first;
-  }
-  return {name, "WORD", withDefault (list, preset), choice (value, words)};
-}
 
 Setter
 append (std::vector<std::string>& files)

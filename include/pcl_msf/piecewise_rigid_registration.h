@@ -73,7 +73,7 @@ noSceneFlow ();
  * Only getFitnessScore differs, see there. Of the inherited settings, these have no
  * effect: RANSAC, correspondence distance, transformation and fitness epsilons,
  * estimators, rejectors, the point representation (except on the search objects).
- * setMaximumIterations bounds the steps per pyramid level, default 8. The visualization
+ * setMaximumIterations bounds the steps per pyramid level, default 6. The visualization
  * callback is called once per successful align, with the warped source and the indices
  * of corresponding points in it and in the target.
  *
@@ -152,7 +152,7 @@ public:
               std::size_t nb_rows,
               std::size_t nb_cols) override;
 
-  /** \brief Levenberg-Marquardt steps per pyramid level, >= 0, default 8. */
+  /** \brief Levenberg-Marquardt steps per pyramid level, >= 0, default 6. */
   void
   setMaximumIterations (int iterations);
 
