@@ -13,7 +13,7 @@ exists () {
     grep -rqE --include='*.h' "^ *(class|struct|enum class|using) $1\b" "${folders[@]}"
   else
     [ -n "$(find "${folders[@]}" -name "${1##*/}.*" -print -quit)" ] ||
-      grep -rqwF --include='*.h' --include='*.cpp' --include='CMakeLists.txt' \
+      grep -rqwF --include='*.h' --include='*.hpp' --include='*.cpp' --include='CMakeLists.txt' \
         -- "${1#pcl_msf::}" "${folders[@]}"
   fi
 }
@@ -23,6 +23,7 @@ while read -r name; do
   name="${name#.../}"      # "include/pcl_msf/io, .../synthetic"
   name="${name%%<*}"       # "Class<PointT>"
   name="${name%"()"}"
+  name="${name%% *}"
   exists "$name" || missing+=("$name")
 done < <(tr '\n' ' ' < ARCHITECTURE.md | grep -o '`[^`]*`' | tr -d '`' | sort -u)
 [ ${#missing[@]} -eq 0 ] && exit 0

@@ -187,9 +187,9 @@ OutputFolder::requireOwn (const std::vector<std::string>& names) const
   for (const std::string& name : names) {
     const fs::path path = fs::path (folder_) / name;
     if (fs::exists (fs::symlink_status (path)) && !manifest_.holds (name))
-      throw UsageError ("--output: " + path.string() + " is there and not as " + tool_ +
-                        " has left it; it would be replaced: move it or give another "
-                        "folder");
+      throw UsageError ("--output: " + path.string() + " is in the way: " + tool_ +
+                        " has not written it, or it was changed; move it or give "
+                        "another folder");
   }
 }
 

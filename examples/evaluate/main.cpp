@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 // Scores our method and baselines on data sets, recorded or generated.
+#include "common/command_line.h"
 #include "common/input_files.h"
 #include "common/tool_main.h"
 #include "csv.h"
