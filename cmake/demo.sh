@@ -58,29 +58,62 @@ if cmake --build "$build_dir" --target help | grep -q pcl_msf_render; then
 fi
 
 mkdir -p "$demo_dir"
+# The demo's own files, beside those of the tools: an earlier demo's go, unless somebody
+# has changed them, and nobody else's file is replaced.
+list="$demo_dir/.pcl_msf_demo"
+refuse () { echo "demo: $1; move it, or set PCL_MSF_DEMO_DIR" >&2; exit 1; }
+forget_earlier () {
+  local line file
+  [ -f "$list" ] || return 0
+  while read -r line; do
+    file="$demo_dir/${line#*  }"
+    for image in "${images[@]}"; do
+      if [ "$file" -ef "$image" ]; then refuse "$image would be replaced by this demo's"; fi
+    done
+  done < "$list"
+  while read -r line; do
+    file="$demo_dir/${line#*  }"
+    [ "$(sha256sum 2>/dev/null < "$file")" != "${line%%  *}  -" ] || rm "$file"
+  done < "$list"
+  rm "$list"
+}
+own_file () { # a name in the demo's folder
+  [ ! -e "$demo_dir/$1" ] || refuse "$demo_dir/$1 is not of an earlier demo"
+}
+note () { (cd "$demo_dir" && sha256sum "$1" >> "$list"); }
+copy_of () { # the name that the demo's copy of an image gets
+  local name="${2##*/}"
+  echo "$1.${name##*.}"
+}
 truth=""
 if [ $# -eq 0 ]; then
   truth="$demo_dir/sequence/gt"
   "$build_dir/examples/pcl_msf_synthesize" "$demo_dir/sequence" \
-    -scene articulated -frames 2 -depth png
+    --scene articulated --frames 2 --depth png
   sequence="$demo_dir/sequence"
   images=("$sequence"/color_0.png "$sequence"/depth_0.png
           "$sequence"/color_1.png "$sequence"/depth_1.png)
   read_camera "$sequence/camera.txt"
 fi
 
+forget_earlier
+input0="$(copy_of input_0 "${images[0]}")"
+input1="$(copy_of input_1 "${images[2]}")"
+for name in "$input0" "$input1" error_0_1.png; do own_file "$name"; done
+
 "$build_dir/examples/pcl_msf_scene_flow" \
   --color "${images[0]}" --depth "${images[1]}" \
   --color "${images[2]}" --depth "${images[3]}" \
   --camera "$camera" --depth-scale "$depth_scale" --output "$demo_dir"
-cp "${images[0]}" "$demo_dir/input_0.${images[0]##*.}"
-cp "${images[2]}" "$demo_dir/input_1.${images[2]##*.}"
+cp "${images[0]}" "$demo_dir/$input0" && note "$input0"
+cp "${images[2]}" "$demo_dir/$input1" && note "$input1"
 
 if [ -n "$truth" ]; then
   echo
   echo "End-point error against the truth:"
   "$build_dir/examples/pcl_msf_flow_error" "$demo_dir/flow_0_1.flo" \
     "$truth/flow_0_1.flo" "$truth/visible_0_1.png" "$demo_dir/error_0_1.png"
+  note error_0_1.png
 fi
 if [ -z "$renders" ]; then
   echo "No renders: VTK was not there when the build was configured (libvtk9-dev)"
@@ -100,7 +133,7 @@ for picture in input_0:"the reference image" input_1:"the current image" \
   overlay_0_1:"the warped reference over the current image" \
   before_tints:"both clouds before alignment" after_tints:"both clouds after warping" \
   warped:"the warped cloud" arrows:"displacement" \
-  overview:"all on one sheet" index:"all of it as a page for a browser"
+  overview_0:"all on one sheet" index:"all of it as a page for a browser"
 do
   for file in "$demo_dir/${picture%%:*}".*; do
     case "$file" in *.flo | *'*') ;; *) printf '  %-18s %s\n' "${file##*/}" "${picture#*:}" ;; esac

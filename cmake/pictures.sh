@@ -16,7 +16,7 @@ bin="$build_dir/examples"
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
 
-"$bin/pcl_msf_synthesize" "$work/sequence" -scene articulated -motion large -frames 2 -depth png
+"$bin/pcl_msf_synthesize" "$work/sequence" --scene articulated --motion large --frames 2 --depth png
 read -r fx fy cx cy _ _ scale < "$work/sequence/camera.txt"
 "$bin/pcl_msf_scene_flow" --quiet \
   --color "$work/sequence/color_0.png" --depth "$work/sequence/depth_0.png" \
@@ -32,7 +32,7 @@ render --kind arrows --kind motions --view orbit --azimuth 12 --elevation 12 --z
 small () { # one picture, few enough colours to be small
   convert "$1" "${@:3}" -strip +dither -colors 240 "PNG8:$source_dir/examples/pictures/$2"
 }
-small "$work/result/overview.png" overview.png -resize 900x
+small "$work/result/overview_0.png" overview.png -resize 900x
 for picture in before_tints after_tints arrows motions; do
   small "$work/$picture.png" "$picture.png"
 done

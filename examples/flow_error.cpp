@@ -1,93 +1,94 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+// End-point error of an optical flow, as pcl_msf_evaluate counts it.
+#include "common/command_line.h"
+#include "common/input_files.h"
+#include "common/option_values.h"
+#include "common/tool_main.h"
+#include <pcl_msf/errors.h>
+#include <pcl_msf/evaluation/flow_errors.h>
 #include <pcl_msf/io/figures.h>
 #include <pcl_msf/io/float_files.h>
 #include <pcl_msf/io/images.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace {
 
-bool
-isKnown (const cv::Vec2f& flow)
-{
-  return std::isfinite (flow[0]) && std::isfinite (flow[1]);
-}
+using namespace pcl_msf;
+using namespace pcl_msf::tool;
 
-/** End-point errors over the pixels of a mask (or all) where the truth is known. */
+constexpr const char* kProgram = "pcl_msf_flow_error";
+
 void
 printErrors (const char* name,
              const cv::Mat& flow,
              const cv::Mat& truth,
              const cv::Mat& mask)
 {
-  std::vector<float> errors;
-  int asked = 0;
-  for (int v = 0; v < truth.rows; ++v)
-    for (int u = 0; u < truth.cols; ++u) {
-      const auto& expected = truth.at<cv::Vec2f> (v, u);
-      const auto& found = flow.at<cv::Vec2f> (v, u);
-      if (!isKnown (expected) || (!mask.empty() && mask.at<unsigned char> (v, u) == 0))
-        continue;
-      ++asked;
-      if (isKnown (found))
-        errors.push_back (static_cast<float> (cv::norm (found - expected)));
-    }
-  if (errors.empty()) {
+  const evaluation::FlowErrors errors = evaluation::flowErrors (flow, truth, mask);
+  if (errors.points == 0)
     std::printf ("%-15s no pixel to compare\n", name);
-    return;
+  else
+    std::printf ("%-15s mean %7.3f px, median %7.3f px, over 3 px and 5 %% %5.2f %%, "
+                 "known %6.2f %%\n",
+                 name,
+                 errors.epe,
+                 errors.median,
+                 100.0 * errors.outliers,
+                 100.0 * errors.coverage);
+}
+
+int
+run (const std::vector<std::string>& files)
+{
+  InputFiles inputs;
+  for (std::size_t i = 0; i < files.size() && i < 3; ++i)
+    inputs.add (files[i]);
+  if (files.size() == 4)
+    requireNoInput ("ERROR.png", files[3], inputs);
+  const cv::Mat flow = io::readFlow (files[0]);
+  const cv::Mat truth = io::readFlow (files[1]);
+  if (flow.size() != truth.size())
+    throw InvalidInput (files[0] + " and " + files[1] + " differ in size");
+  printErrors (
+      "all points", flow, truth, cv::Mat (truth.size(), CV_8UC1, cv::Scalar (255)));
+  if (files.size() > 2) {
+    const cv::Mat visible = io::readMask (files[2]);
+    if (visible.size() != truth.size())
+      throw InvalidInput (files[2] + ": no image of the flow's size");
+    printErrors ("visible points", flow, truth, visible > 0);
   }
-  std::sort (errors.begin(), errors.end());
-  double sum = 0.0;
-  for (const float error : errors)
-    sum += error;
-  const auto n = static_cast<double> (errors.size());
-  const auto large = std::upper_bound (errors.begin(), errors.end(), 3.0f);
-  std::printf (
-      "%-15s mean %7.3f px, median %7.3f px, over 3 px %5.2f %%, known %6.2f %%\n",
-      name,
-      sum / n,
-      errors[errors.size() / 2],
-      100.0 * static_cast<double> (errors.end() - large) / n,
-      100.0 * n / asked);
+  if (files.size() == 4)
+    io::writeImage (
+        files[3],
+        io::scalarPicture (evaluation::endPointErrors (flow, truth), 0.0, "px"));
+  return 0;
 }
 
 } // namespace
 
-/** Prints the end-point error of an optical flow against the truth. */
 int
 main (int argc, char** argv)
 {
-  if (argc < 3 || argc > 5) {
-    std::fprintf (
-        stderr, "usage: %s FLOW.flo TRUTH.flo [VISIBLE.png [ERROR.png]]\n", argv[0]);
-    return 2;
-  }
-  try {
-    const cv::Mat flow = pcl_msf::io::readFlow (argv[1]);
-    const cv::Mat truth = pcl_msf::io::readFlow (argv[2]);
-    if (flow.size() != truth.size())
-      throw std::runtime_error ("the two flows differ in size");
-    printErrors ("all points", flow, truth, {});
-    if (argc >= 4) {
-      const cv::Mat visible = pcl_msf::io::readMask (argv[3]);
-      if (visible.size() != truth.size())
-        throw std::runtime_error (std::string (argv[3]) + ": no image of that size");
-      printErrors ("visible points", flow, truth, visible);
+  return runTool (kProgram, [&] {
+    std::vector<std::string> files;
+    bool help = false;
+    CommandLine line;
+    line.summary =
+        "Prints the end-point error of an optical flow against the truth; an "
+        "unknown flow\ncounts as zero motion. ERROR.png becomes a picture of "
+        "it.";
+    line.syntax = {"pcl_msf_flow_error FLOW.flo TRUTH.flo [VISIBLE.png [ERROR.png]]"};
+    line.options = {{"--help", "", "print this", flag (help)}};
+    line.take_word = [&files] (const std::string& word) { files.push_back (word); };
+    line.read (argc, argv);
+    if (help || argc < 2) {
+      line.printHelp();
+      return help ? 0 : 1;
     }
-    if (argc == 5)
-      pcl_msf::io::writeImage (
-          argv[4],
-          pcl_msf::io::scalarPicture (pcl_msf::io::flowError (flow, truth), 0.0, "px"));
-  }
-  catch (const std::exception& error) {
-    std::fprintf (stderr, "%s: %s\n", argv[0], error.what());
-    return 1;
-  }
-  return 0;
+    if (files.size() < 2 || files.size() > 4)
+      throw UsageError ("give FLOW.flo TRUTH.flo [VISIBLE.png [ERROR.png]]");
+    return run (files);
+  });
 }

@@ -4,7 +4,10 @@
 
 #include <pcl_msf/piecewise_rigid_registration.h>
 
+#include <filesystem>
 #include <iostream>
+#include <string>
+#include <system_error>
 
 /** Registers two organized clouds and saves the first one carried to the second. */
 int
@@ -13,11 +16,19 @@ main (int argc, char** argv)
   using Cloud = pcl::PointCloud<pcl::PointXYZRGBA>;
   const auto reference = pcl::make_shared<Cloud>();
   const auto current = pcl::make_shared<Cloud>();
+  const std::string first = argc > 1 ? argv[1] : "";
+  const bool help = first == "--help" || first == "-h";
+  std::error_code none;
+  for (int i = 1; argc == 4 && i < 3; ++i)
+    if (std::filesystem::equivalent (argv[i], argv[3], none)) {
+      std::cerr << argv[3] << " is the input " << argv[i] << "; give another name\n";
+      return 2;
+    }
   if (argc != 4 || pcl::io::loadPCDFile (argv[1], *reference) < 0 ||
       pcl::io::loadPCDFile (argv[2], *current) < 0) {
-    std::cerr
+    (help ? std::cout : std::cerr)
         << "usage: pcl_msf_register_clouds REFERENCE.pcd CURRENT.pcd WARPED.pcd\n";
-    return 2;
+    return help ? 0 : 2;
   }
 
   pcl_msf::PiecewiseRigidRegistration<pcl::PointXYZRGBA> registration;

@@ -1,104 +1,176 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 // Renders an RGB-D sequence with exact truth into a folder.
-
-#include <pcl/console/parse.h>
-#include <pcl/console/print.h>
-#include <pcl/console/time.h>
-
+#include "common/command_line.h"
+#include "common/default_help.h"
+#include "common/interruption.h"
+#include "common/output_folder.h"
+#include "common/stop_watch.h"
+#include "common/tool_main.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/synthetic/sequence_writer.h>
 #include <pcl_msf/synthetic/synthetic_sequence.h>
 
-#include <exception>
-#include <string>
-#include <vector>
-
-using namespace pcl::console;
+#include <cctype>
+#include <cstdio>
+#include <regex>
 
 namespace {
 
-void
-printHelp (const char* program)
+using namespace pcl_msf;
+using namespace pcl_msf::tool;
+
+constexpr const char* kProgram = "pcl_msf_synthesize";
+
+struct SynthesizeOptions {
+  std::string folder;
+  SequenceOptions sequence;
+  SequenceWriterOptions writing;
+  bool help{false};
+};
+
+std::vector<Option>
+optionTable (SynthesizeOptions& o)
 {
-  print_info ("Renders an RGB-D sequence with exact scene flow, optical flow,\n");
-  print_info ("visibility, labels and poses.\n\n");
-  print_info ("Syntax: %s folder <options>\n\n", program);
-  print_info ("  -scene X          one of");
-  for (const pcl_msf::Scene scene : pcl_msf::allScenes())
-    print_value (" %s", pcl_msf::toString (scene));
-  print_info (" (default: multi_body)\n");
-  print_info ("  -motion X         easy (4 px a frame) or large (22 px) (easy)\n");
-  print_info ("  -motion_pixels X  average motion a frame at 640 px width instead\n");
-  print_info ("  -sensor X         none or kinect (none)\n");
-  print_info ("  -width X          pixels (640)\n");
-  print_info ("  -height X         pixels (480)\n");
-  print_info ("  -frames X         (2)\n");
-  print_info ("  -seed X           places, colours, motions, noise (1)\n");
-  print_info ("  -samples X        colour rays per pixel and axis (3)\n");
-  print_info ("  -blur 0/1         motion blur (0)\n");
-  print_info ("  -threads X        0 = all; no influence on the result (0)\n");
-  print_info ("  -layout X         cases, tum or sintel (cases)\n");
-  print_info (
-      "  -depth X          cases: auto, dpt or png (auto: dpt without sensor)\n");
-  print_info ("  -depth_scale X    16-bit depth units per metre (5000)\n");
+  SequenceOptions& s = o.sequence;
+  std::vector<std::pair<std::string, Scene>> scenes;
+  for (const Scene scene : allScenes())
+    scenes.emplace_back (toString (scene), scene);
+  return {
+      oneOf<Scene> ("--scene", s.scene, scenes),
+      oneOf<MotionSize> ("--motion",
+                         s.motion,
+                         {{"easy", MotionSize::Easy}, {"large", MotionSize::Large}},
+                         ": 4 or 22 px a frame"),
+      numeric ("--motion-pixels",
+               "PX",
+               "average motion a frame at 640 px width, 0 = as --motion says",
+               s.motion_pixels),
+      oneOf<Sensor> (
+          "--sensor", s.sensor, {{"none", Sensor::None}, {"kinect", Sensor::Kinect}}),
+      numeric ("--width", "PX", "", s.width),
+      numeric ("--height", "PX", "", s.height),
+      numeric ("--frames", "N", "", s.frames),
+      numeric ("--seed", "N", "places, colours, motions, noise", s.seed),
+      numeric ("--samples", "N", "colour rays per pixel and axis", s.supersampling),
+      switchable ("--blur", "motion blur", s.motion_blur),
+      numeric ("--threads", "N", "0 = all; no influence on the result", s.threads),
+      oneOf<SequenceLayout> ("--layout",
+                             o.writing.layout,
+                             {{"cases", SequenceLayout::Cases},
+                              {"tum", SequenceLayout::Tum},
+                              {"sintel", SequenceLayout::Sintel}}),
+      oneOf<DepthFormat> ("--depth",
+                          o.writing.depth_format,
+                          {{"auto", DepthFormat::Automatic},
+                           {"dpt", DepthFormat::Float},
+                           {"png", DepthFormat::Png16}},
+                          " of cases; auto is dpt without a sensor"),
+      numeric (
+          "--depth-scale", "S", "16-bit depth units per metre", o.writing.depth_scale),
+      {"--help", "", "print this", flag (o.help)}};
 }
 
-/** Reads a word and finds its place in a list of choices. */
-int
-choice (int argc,
-        char** argv,
-        const char* option,
-        const std::vector<std::string>& names)
+CommandLine
+makeCommandLine (SynthesizeOptions& options)
 {
-  std::string word;
-  if (parse_argument (argc, argv, option, word) < 0)
-    return 0;
-  std::string all;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (word == names[i])
-      return static_cast<int> (i);
-    all += " " + names[i];
+  CommandLine line;
+  line.summary = "Renders an RGB-D sequence with exact scene flow, optical flow,\n"
+                 "visibility, labels and poses.";
+  line.syntax = {"pcl_msf_synthesize FOLDER [options]"};
+  line.options = optionTable (options);
+  line.take_word = [&options] (const std::string& word) {
+    if (!options.folder.empty() || word.empty())
+      throw UsageError ("'" + word + "': one folder is enough; options have --");
+    options.folder = word;
+  };
+  return line;
+}
+
+/** Version 0.1.0 spelled options "-motion_pixels"; both ways are understood. */
+std::vector<std::string>
+withTwoDashes (int argc, const char* const* argv)
+{
+  std::vector<std::string> words (argv, argv + argc);
+  for (std::string& word : words)
+    if (word.size() > 2 && word[0] == '-' &&
+        std::isalpha (static_cast<unsigned char> (word[1])) != 0) {
+      word.insert (0, "-");
+      for (std::size_t i = 0; i < word.size() && word[i] != '='; ++i)
+        word[i] = word[i] == '_' ? '-' : word[i];
+    }
+  return words;
+}
+
+/** What a later run replaces; scenes of a Sintel folder stand beside each other. */
+std::string
+groupOf (const SynthesizeOptions& options)
+{
+  switch (options.writing.layout) {
+  case SequenceLayout::Cases:
+    return "cases";
+  case SequenceLayout::Tum:
+    return "tum";
+  default:
+    return std::string ("sintel ") + toString (options.sequence.scene);
   }
-  throw pcl_msf::InvalidInput (std::string (option) + " " + word + ": choose one of" +
-                               all);
 }
 
-pcl_msf::SequenceOptions
-sequenceOptions (int argc, char** argv)
+/** Files that would be read together with those of this sequence. */
+std::string
+patternOf (const SynthesizeOptions& options)
 {
-  pcl_msf::SequenceOptions options;
-  std::string scene = pcl_msf::toString (options.scene);
-  parse_argument (argc, argv, "-scene", scene);
-  options.scene = pcl_msf::sceneFromName (scene);
-  if (choice (argc, argv, "-motion", {"easy", "large"}) == 1)
-    options.motion = pcl_msf::MotionSize::Large;
-  if (choice (argc, argv, "-sensor", {"none", "kinect"}) == 1)
-    options.sensor = pcl_msf::Sensor::Kinect;
-  parse_argument (argc, argv, "-motion_pixels", options.motion_pixels);
-  parse_argument (argc, argv, "-width", options.width);
-  parse_argument (argc, argv, "-height", options.height);
-  parse_argument (argc, argv, "-frames", options.frames);
-  parse_argument (argc, argv, "-seed", options.seed);
-  parse_argument (argc, argv, "-samples", options.supersampling);
-  parse_argument (argc, argv, "-blur", options.motion_blur);
-  parse_argument (argc, argv, "-threads", options.threads);
-  return options;
+  const std::string scene = toString (options.sequence.scene);
+  switch (options.writing.layout) {
+  case SequenceLayout::Cases:
+    return "(color|depth|cloud)_[0-9]+\\.[a-z]+|camera\\.txt|gt/.*";
+  case SequenceLayout::Tum:
+    return "(rgb|depth)/.*|(rgb|depth|groundtruth|associations|camera)\\.txt";
+  default:
+    return "(clean|final|depth|camdata_left|flow|occlusions|invalid)/(" + scene +
+           "/.*)?";
+  }
 }
 
-pcl_msf::SequenceWriterOptions
-writerOptions (int argc, char** argv)
+void
+prepare (const SynthesizeOptions& options, OutputFolder& output)
 {
-  using namespace pcl_msf;
-  SequenceWriterOptions options;
-  const SequenceLayout layouts[] = {
-      SequenceLayout::Cases, SequenceLayout::Tum, SequenceLayout::Sintel};
-  options.layout = layouts[choice (argc, argv, "-layout", {"cases", "tum", "sintel"})];
-  const DepthFormat formats[] = {
-      DepthFormat::Automatic, DepthFormat::Float, DepthFormat::Png16};
-  options.depth_format = formats[choice (argc, argv, "-depth", {"auto", "dpt", "png"})];
-  parse_argument (argc, argv, "-depth_scale", options.depth_scale);
-  return options;
+  const std::string own = groupOf (options);
+  output.keep ([&own] (const std::string&, const std::string& group) {
+    return group != own && group.rfind ("sintel", 0) == 0 &&
+           own.rfind ("sintel", 0) == 0;
+  });
+  const std::regex pattern (patternOf (options));
+  output.check ({}, [&pattern] (const std::string& name) {
+    return std::regex_match (name, pattern);
+  });
+}
+
+int
+run (SynthesizeOptions options)
+{
+  if (options.folder.empty())
+    throw UsageError ("FOLDER: missing; give one for the sequence");
+  { // refused before the work
+    OutputFolder output (options.folder, kProgram, groupOf (options));
+    prepare (options, output);
+  }
+  options.sequence.successive_truth = options.writing.layout == SequenceLayout::Sintel;
+  StopWatch watch;
+  const SyntheticSequence sequence = synthesize (options.sequence);
+  const double seconds = watch.lap();
+  noteSignals();
+  OutputFolder output (options.folder, kProgram, groupOf (options));
+  prepare (options, output);
+  writeSequence (sequence, output.stage(), options.writing);
+  throwIfInterrupted();
+  output.finish();
+  std::printf ("%d frames of %s in %.2f s, written to %s\n",
+               options.sequence.frames,
+               toString (options.sequence.scene),
+               seconds,
+               options.folder.c_str());
+  return 0;
 }
 
 } // namespace
@@ -106,29 +178,18 @@ writerOptions (int argc, char** argv)
 int
 main (int argc, char** argv)
 {
-  if (argc < 2 || find_switch (argc, argv, "-h") ||
-      find_switch (argc, argv, "--help") || argv[1][0] == '-') {
-    printHelp (argv[0]);
-    return argc < 2 || argv[1][1] != 'h' ? 1 : 0;
-  }
-  try {
-    pcl_msf::SequenceOptions options = sequenceOptions (argc, argv);
-    const pcl_msf::SequenceWriterOptions writing = writerOptions (argc, argv);
-    options.successive_truth = writing.layout == pcl_msf::SequenceLayout::Sintel;
-    TicToc clock;
-    clock.tic();
-    const pcl_msf::SyntheticSequence sequence = pcl_msf::synthesize (options);
-    const double seconds = clock.toc() / 1000.0;
-    pcl_msf::writeSequence (sequence, argv[1], writing);
-    print_info ("%d frames of %s in %.2f s, written to %s\n",
-                options.frames,
-                pcl_msf::toString (options.scene),
-                seconds,
-                argv[1]);
-  }
-  catch (const std::exception& problem) {
-    print_error ("%s\n", problem.what());
-    return 1;
-  }
-  return 0;
+  return runTool (kProgram, [&] {
+    SynthesizeOptions options;
+    const CommandLine line = makeCommandLine (options);
+    std::vector<const char*> words;
+    const std::vector<std::string> given = withTwoDashes (argc, argv);
+    for (const std::string& word : given)
+      words.push_back (word.c_str());
+    line.read (argc, words.data());
+    if (options.help || argc < 2) {
+      line.printHelp();
+      return options.help ? 0 : 1;
+    }
+    return run (options);
+  });
 }

@@ -52,6 +52,17 @@ TEST (FlowErrors, EndPointErrorsByHand)
   EXPECT_DOUBLE_EQ (e.coverage, 1.0);
 }
 
+TEST (FlowErrors, ErrorsOfPixelsAreThoseOfTheMean)
+{
+  const cv::Mat truth = row ({{0, 0}, {3, 4}, {kNan, 0}});
+  const cv::Mat flow = row ({{3, 4}, {kNan, kNan}, {1, 1}});
+  const cv::Mat errors = endPointErrors (flow, truth);
+  EXPECT_EQ (errors.at<float> (0, 0), 5.0F);
+  EXPECT_EQ (errors.at<float> (0, 1), 5.0F) << "an unknown flow is no motion";
+  EXPECT_TRUE (std::isnan (errors.at<float> (0, 2)));
+  EXPECT_DOUBLE_EQ (flowErrors (flow, truth, allOf (truth)).epe, 5.0);
+}
+
 TEST (FlowErrors, AngularErrorOfBarronByHand)
 {
   // (1, 0, 1) and (0, 0, 1) include 45 deg, (1, 0, 1) and (0, 1, 1) 60 deg.

@@ -172,6 +172,35 @@ TEST (HtmlReport, EntryComesFromAFolder)
   EXPECT_TRUE (io::resultFolders (folder ("nothing")).empty());
 }
 
+TEST (HtmlReport, EveryReferenceIsAnEntry)
+{
+  const TemporaryFolder folder;
+  SceneFlow flow;
+  flow.labels = cv::Mat (4, 6, CV_32SC1, cv::Scalar (0));
+  for (const int segments : {3, 5}) {
+    flow.segments.resize (segments);
+    io::writeReport (
+        folder ("report_" + std::to_string (segments) + ".json"), flow, {});
+  }
+  io::writeReport (folder ("report.json"), flow, {});
+  for (const char* name : {"flow_3_4", "flow_3_44", "flow_5_4", "overview_5", "warped"})
+    io::writeImage (folder (std::string (name) + ".png"), cv::Mat (4, 6, CV_8UC1));
+  const auto entries = io::entriesOfFolder (folder (""));
+  ASSERT_EQ (entries.size(), 2U);
+  const auto has = [] (const char* segments) {
+    return ::testing::Contains (
+        std::pair<std::string, std::string> ("segments", segments));
+  };
+  EXPECT_THAT (entries[0].numbers, has ("3"));
+  EXPECT_THAT (entries[1].numbers, has ("5"));
+  EXPECT_NE (entries[0].name, entries[1].name);
+  ASSERT_EQ (entries[0].pictures.size(), 3U) << "with what has no frame in its name";
+  EXPECT_EQ (entries[0].pictures[0].caption, "optical flow");
+  EXPECT_EQ (entries[0].pictures[1].caption, "optical flow, frame 44");
+  ASSERT_EQ (entries[1].pictures.size(), 2U);
+  EXPECT_EQ (entries[1].pictures[1].caption, "optical flow, frame 4");
+}
+
 TEST (HtmlReport, RefusesFoldersWithoutAReport)
 {
   const TemporaryFolder folder;

@@ -36,18 +36,6 @@ TEST (FlowFigures, PictureHasTheWheelInItsCorner)
       << "no room";
 }
 
-TEST (FlowFigures, ErrorIsTheDistance)
-{
-  cv::Mat flow (1, 3, CV_32FC2, cv::Scalar (1, 1));
-  cv::Mat truth (1, 3, CV_32FC2, cv::Scalar (4, 5));
-  flow.at<cv::Vec2f> (0, 1) = {kNan, kNan};
-  truth.at<cv::Vec2f> (0, 2) = {kNan, kNan};
-  const cv::Mat error = io::flowError (flow, truth);
-  EXPECT_FLOAT_EQ (error.at<float> (0, 0), 5.0F);
-  EXPECT_TRUE (std::isnan (error.at<float> (0, 1)));
-  EXPECT_TRUE (std::isnan (error.at<float> (0, 2)));
-}
-
 TEST (FlowFigures, FlickerPairStandsStillWhereTheFlowIsRight)
 {
   cv::Mat reference (4, 8, CV_8UC1);

@@ -9,6 +9,8 @@
 #include <pcl_msf/io/folders.h>
 #include <pcl_msf/io/text_files.h>
 
+#include <map>
+#include <set>
 #include <sstream>
 
 // pcl_msf_scene_flow with more than two frames, run as a user runs it.
@@ -74,18 +76,19 @@ TEST_F (SceneFlowWindow, WritesEveryFrameOfThree)
                            "warped_0_1.pcd",
                            "warped_0_2.pcd",
                            "visible_0_2.png",
-                           "overview.png",
+                           "overview_0.png",
                            "report.json",
-                           "poses.yaml",
+                           "report_0.json",
+                           "poses_0.yaml",
                            "trajectory.txt"})
     EXPECT_TRUE (exists (name)) << name;
-  cv::FileStorage poses (folder_ ("out/poses.json"),
+  cv::FileStorage poses (folder_ ("out/poses_0.json"),
                          cv::FileStorage::READ | cv::FileStorage::FORMAT_JSON);
   ASSERT_TRUE (poses.isOpened());
   EXPECT_EQ (poses["frames"].size(), 3U);
   EXPECT_EQ (poses["pairs"].size(), 3U);
   EXPECT_EQ (poses["pairs"][0]["segments"][0].size(), 6U);
-  cv::FileStorage yaml (folder_ ("out/poses.yaml"), cv::FileStorage::READ);
+  cv::FileStorage yaml (folder_ ("out/poses_0.yaml"), cv::FileStorage::READ);
   ASSERT_TRUE (yaml.isOpened());
   EXPECT_EQ (static_cast<int> (yaml["pairs"][1]["to"]),
              static_cast<int> (poses["pairs"][1]["to"]));
@@ -124,7 +127,8 @@ TEST_F (SceneFlowWindow, TracksAFolderFromOneReference)
     for (const char* name : {"scene_flow", "warped"})
       EXPECT_TRUE (exists (name + pair + ".pcd")) << name << pair;
   }
-  for (const char* name : {"report_0.json", "overview_0.png", "poses_0.yaml"})
+  for (const char* name :
+       {"report.json", "report_0.json", "overview_0.png", "poses_0.yaml"})
     EXPECT_TRUE (exists (name)) << name;
   cv::FileStorage poses (folder_ ("out/poses_0.json"),
                          cv::FileStorage::READ | cv::FileStorage::FORMAT_JSON);
@@ -149,6 +153,117 @@ TEST_F (SceneFlowWindow, KeepsWhatItTrackedWhenAFrameIsDamaged)
   EXPECT_THAT (done.err, HasSubstr ("frame 3"));
   EXPECT_TRUE (exists ("flow_0_2.flo"));
   EXPECT_TRUE (exists ("trajectory.txt"));
+}
+
+/** Names in a folder, without hidden ones, and what is in the files. */
+std::map<std::string, std::string>
+contentOf (const std::string& folder)
+{
+  std::map<std::string, std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator (folder))
+    if (entry.path().filename().string().front() != '.' && entry.is_regular_file())
+      files[entry.path().filename().string()] = readFile (entry.path().string());
+  return files;
+}
+
+std::set<std::string>
+namesIn (const std::string& folder)
+{
+  std::set<std::string> names;
+  for (const auto& [name, content] : contentOf (folder))
+    names.insert (name);
+  return names;
+}
+
+TEST_F (SceneFlowWindow, OutputIsNeverTheRecording)
+{
+  writeRecording (2);
+  const auto before = contentOf (folder_ ("case"));
+  std::filesystem::create_directory_symlink (folder_ ("case"), folder_ ("link"));
+  for (const char* output : {"case", "link", "case/../link/.", "case/"})
+    for (const char* mode : {"", " --track"}) {
+      const ToolRun refused =
+          run (" " + folder_ ("case") + mode + " --output " + folder_ (output));
+      EXPECT_GT (refused.status, 0) << output;
+      EXPECT_EQ (refused.errorLines(), 1) << refused.err;
+      EXPECT_THAT (refused.err, HasSubstr (folder_ (output)));
+      EXPECT_THAT (refused.err, HasSubstr ("give another folder"));
+    }
+  EXPECT_EQ (contentOf (folder_ ("case")), before);
+}
+
+TEST_F (SceneFlowWindow, OutputIsNeverAnInputFile)
+{
+  writeRecording (2);
+  const std::string command =
+      " " + folder_ ("case") + " --quiet --output " + folder_ ("out");
+  ASSERT_EQ (run (command).status, 0);
+  const auto before = contentOf (folder_ ("out"));
+  std::filesystem::create_hard_link (folder_ ("out/labels_0.png"), folder_ ("h.png"));
+  std::filesystem::create_symlink (folder_ ("out/labels_0.png"), folder_ ("s.png"));
+  for (const char* labels : {"out/labels_0.png", "h.png", "s.png"}) {
+    const ToolRun refused = run (command + " --labels " + folder_ (labels));
+    EXPECT_GT (refused.status, 0) << labels;
+    EXPECT_EQ (refused.errorLines(), 1) << refused.err;
+    EXPECT_THAT (refused.err, HasSubstr (folder_ ("out/labels_0.png")));
+    EXPECT_THAT (refused.err, HasSubstr (folder_ (labels)));
+  }
+  EXPECT_EQ (contentOf (folder_ ("out")), before);
+}
+
+TEST_F (SceneFlowWindow, ALaterRunReplacesAnEarlierOneAndNothingElse)
+{
+  writeRecording (4);
+  const std::string command = " " + folder_ ("case") + " --quiet --output ";
+  ASSERT_EQ (run (command + folder_ ("out")).status, 0);
+  writeFile (folder_ ("out/notes.txt"), "mine");
+  writeFile (folder_ ("out/flow_7_8.png"), "mine, whatever its name says");
+  writeFile (folder_ ("out/overlay_0_3.png"), "changed by the user");
+  for (const char* name : {"color", "depth"})
+    for (const char* k : {"_2.png", "_3.png"})
+      std::filesystem::remove (folder_ (std::string ("case/") + name + k));
+  const ToolRun done = run (command + folder_ ("out"));
+  ASSERT_EQ (done.status, 0) << done.err;
+  ASSERT_EQ (run (command + folder_ ("fresh")).status, 0);
+  std::set<std::string> expected = namesIn (folder_ ("fresh"));
+  expected.insert ({"notes.txt", "flow_7_8.png", "overlay_0_3.png"});
+  EXPECT_EQ (namesIn (folder_ ("out")), expected);
+  EXPECT_EQ (readFile (folder_ ("out/overlay_0_3.png")), "changed by the user");
+  for (const std::string& name : expected)
+    for (const char* word : {"depth", "color", "rgb", "image", "cloud"})
+      EXPECT_EQ (name.find (word), std::string::npos) << name << ": a recording's";
+}
+
+TEST_F (SceneFlowWindow, RefusesToReplaceWhatIsNotItsOwn)
+{
+  writeRecording (2);
+  std::filesystem::create_directory (folder_ ("out"));
+  writeFile (folder_ ("out/overview_0.png"), "mine");
+  const ToolRun refused = run (" " + folder_ ("case") + " --output " + folder_ ("out"));
+  EXPECT_GT (refused.status, 0);
+  EXPECT_EQ (refused.errorLines(), 1) << refused.err;
+  EXPECT_THAT (refused.err, HasSubstr ("out/overview_0.png"));
+  EXPECT_EQ (filesIn (folder_ ("out")), 1U) << "nothing is written";
+  EXPECT_EQ (readFile (folder_ ("out/overview_0.png")), "mine");
+}
+
+TEST_F (SceneFlowWindow, AFailedRunLeavesTheEarlierResults)
+{
+  writeRecording (4);
+  const std::string command =
+      " " + folder_ ("case") + " --track --quiet --output " + folder_ ("out");
+  ASSERT_EQ (run (command).status, 0);
+  const auto before = contentOf (folder_ ("out"));
+  const std::string depth = readFile (folder_ ("case/depth_3.png"));
+  io::writeDepth (
+      folder_ ("case/depth_3.png"), cv::Mat::zeros (120, 160, CV_32FC1), 5000.0);
+  EXPECT_GT (run (command).status, 0);
+  EXPECT_EQ (contentOf (folder_ ("out")), before);
+  EXPECT_TRUE (exists ("unfinished/flow_0_2.flo")) << "what was done is kept, too";
+  writeFile (folder_ ("case/depth_3.png"), depth);
+  ASSERT_EQ (run (command).status, 0);
+  EXPECT_EQ (namesIn (folder_ ("out")).size(), before.size());
+  EXPECT_FALSE (exists ("unfinished"));
 }
 
 TEST_F (SceneFlowWindow, KnowsAStaticBackground)

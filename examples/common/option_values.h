@@ -113,4 +113,31 @@ parseCamera (const std::string& text, PinholeCamera& camera)
   return true;
 }
 
+/** \brief A camera that need not be given. */
+inline Setter
+camera (std::optional<PinholeCamera>& value)
+{
+  return [&value] (const std::string& text) {
+    return parseCamera (text, value.emplace());
+  };
+}
+
+/** \brief A number that need not be given, above 0. */
+inline Setter
+positive (std::optional<double>& value)
+{
+  return [&value] (const std::string& text) {
+    return parse (text, value.emplace()) && *value > 0.0;
+  };
+}
+
+/** \brief A number above zero. */
+inline Setter
+positive (double& value)
+{
+  return [&value] (const std::string& text) {
+    return parse (text, value) && value > 0.0;
+  };
+}
+
 } // namespace pcl_msf::tool

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "evaluate_option_table.h"
 
-#include "common/option_values.h"
+#include "common/default_help.h"
 #include <pcl_msf/errors.h>
 
 #include <sstream>
@@ -78,46 +78,37 @@ size (int& width, int& height)
 OptionGroup
 inputOptions (EvaluateOptions& o)
 {
-  return {"What to read",
-          {{"--pairs",
-            "WORD",
-            "adjacent or 0-k (frame 0 and each later one) [adjacent]",
-            choice<Pairs> (o.pairs,
-                           {{"adjacent", Pairs::Adjacent}, {"0-k", Pairs::FromFirst}})},
-           {"--step", "N", "use every N-th frame [1]", number (o.step)},
-           {"--limit",
-            "N",
-            "pairs of a sequence at the most, 0 = all [0]",
-            number (o.limit)},
-           {"--camera",
-            "FX,FY,CX,CY",
-            "pinhole camera in place of the data set's, pixels",
-            [&o] (const std::string& s) {
-              return parseCamera (s, o.reading.camera.emplace());
-            }},
-           {"--depth-scale",
-            "S",
-            "units per metre of depth in place of the data set's; not for those that "
-            "define it",
-            [&o] (const std::string& s) {
-              return parse (s, o.reading.depth_scale.emplace()) &&
-                     *o.reading.depth_scale > 0.0;
-            }},
-           {"--max-time-difference",
-            "S",
-            "between colour and depth images of TUM and folders, seconds [0.02]",
-            [&o] (const std::string& s) {
-              return parse (s, o.reading.max_time_difference) &&
-                     o.reading.max_time_difference > 0.0;
-            }},
-           {"--pass",
-            "WORD",
-            "clean or final: Sintel, FlyingThings3D [clean]",
-            word (o.reading.pass, {"clean", "final"})},
-           {"--view",
-            "WORD",
-            "left or right: FlyingThings3D, Virtual KITTI 2 [left]",
-            word (o.reading.view, {"left", "right"})}}};
+  return {
+      "What to read",
+      {{"--pairs",
+        "WORD",
+        "adjacent or 0-k (frame 0 and each later one) [adjacent]",
+        choice<Pairs> (o.pairs,
+                       {{"adjacent", Pairs::Adjacent}, {"0-k", Pairs::FromFirst}})},
+       numeric ("--step", "N", "use every N-th frame", o.step),
+       numeric ("--limit", "N", "pairs of a sequence at the most, 0 = all", o.limit),
+       {"--camera",
+        "FX,FY,CX,CY",
+        "pinhole camera in place of the data set's, pixels",
+        camera (o.reading.camera)},
+       {"--depth-scale",
+        "S",
+        "units per metre of depth in place of the data set's; not for those that "
+        "define it",
+        positive (o.reading.depth_scale)},
+       {"--max-time-difference",
+        "S",
+        withDefault ("between colour and depth images of TUM and folders, seconds",
+                     o.reading.max_time_difference),
+        positive (o.reading.max_time_difference)},
+       {"--pass",
+        "WORD",
+        "clean or final: Sintel, FlyingThings3D [clean]",
+        word (o.reading.pass, {"clean", "final"})},
+       {"--view",
+        "WORD",
+        "left or right: FlyingThings3D, Virtual KITTI 2 [left]",
+        word (o.reading.view, {"left", "right"})}}};
 }
 
 OptionGroup
@@ -135,9 +126,9 @@ generatedOptions (GeneratedOptions& g)
             "none, kinect [none,kinect]",
             several<Sensor> (g.sensors,
                              {{"none", Sensor::None}, {"kinect", Sensor::Kinect}})},
-           {"--seed", "N", "of everything [1]", number (g.seed)},
+           numeric ("--seed", "N", "of everything", g.seed),
            {"--size", "WxH", "pixels [640x480]", size (g.width, g.height)},
-           {"--frames", "N", "of a sequence [2]", number (g.frames)}}};
+           numeric ("--frames", "N", "of a sequence", g.frames)}};
 }
 
 OptionGroup
@@ -163,8 +154,8 @@ methodOptions (EvaluateOptions& o)
             "WORD",
             "start of msf: method, or true motion [method]",
             word (o.start, {"method", "true"})},
-           {"--threads", "N", "of a process, 0 = all [0]", number (o.threads)},
-           {"--jobs", "N", "processes [1]", number (o.jobs)},
+           numeric ("--threads", "N", "of a process, 0 = all", o.threads),
+           numeric ("--jobs", "N", "processes", o.jobs),
            {"--shard",
             "I/N",
             "do the I-th of N parts; auto: as Slurm or MPI says; auto/N: GNU parallel",

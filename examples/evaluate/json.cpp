@@ -104,4 +104,12 @@ jsonText (const ResultFile& results)
   return json.text();
 }
 
+bool
+isResultsJson (const std::string& text)
+{
+  const std::size_t key = text.find_first_not_of (" \n", 1);
+  return text.rfind ('{', 0) == 0 && key != std::string::npos &&
+         text.compare (key, 9, "\"version\"") == 0;
+}
+
 } // namespace pcl_msf::tool

@@ -27,7 +27,7 @@ enum class StartSource {
 /** \brief SceneFlowEstimator with given settings. */
 class OwnMethod : public Method {
 public:
-  /** \param settings pairs "KEY=VALUE" joined by ':', see settingsHelp; may be empty
+  /** \param settings pairs "KEY=VALUE" joined by ':', see methodHelp(); may be empty
    * \throws UsageError for one that is unknown or has no such value */
   OwnMethod (const std::string& settings, unsigned threads);
 

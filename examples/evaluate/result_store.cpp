@@ -13,6 +13,24 @@ namespace pcl_msf::tool {
 
 namespace {
 
+/** The rows of one pair in the order of the methods; nothing unless all are there. */
+std::vector<Row>
+complete (const std::vector<Row>& rows, const std::vector<std::string>& methods)
+{
+  std::vector<Row> sorted;
+  for (const std::string& method : methods)
+    for (const Row& row : rows)
+      if (row.method == method) {
+        sorted.push_back (row);
+        break;
+      }
+  if (sorted.size() != methods.size())
+    sorted.clear();
+  return sorted;
+}
+
+} // namespace
+
 void
 requireSameRun (const std::string& path, const ResultFile& found, const ResultFile& run)
 {
@@ -31,24 +49,6 @@ requireSameRun (const std::string& path, const ResultFile& found, const ResultFi
                       " pairs, the data set has " + std::to_string (run.pairs) +
                       remedy);
 }
-
-/** The rows of one pair in the order of the methods; nothing unless all are there. */
-std::vector<Row>
-complete (const std::vector<Row>& rows, const std::vector<std::string>& methods)
-{
-  std::vector<Row> sorted;
-  for (const std::string& method : methods)
-    for (const Row& row : rows)
-      if (row.method == method) {
-        sorted.push_back (row);
-        break;
-      }
-  if (sorted.size() != methods.size())
-    sorted.clear();
-  return sorted;
-}
-
-} // namespace
 
 void
 appendToDisk (const std::string& path, const std::string& text)

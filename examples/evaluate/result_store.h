@@ -10,6 +10,13 @@
 
 namespace pcl_msf::tool {
 
+/** \brief \throws UsageError unless a file holds results of the run that it is to hold
+ */
+void
+requireSameRun (const std::string& path,
+                const ResultFile& found,
+                const ResultFile& run);
+
 /** \brief Keeps the rows of a run, in memory and, when there is a path, in a CSV to
  * which each finished pair is added at once. A run that was killed goes on where it
  * was: pairs that the CSV holds with all methods are not done again. */

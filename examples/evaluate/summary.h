@@ -56,4 +56,8 @@ pathErrors (const std::vector<Row>& rows);
 std::string
 jsonText (const ResultFile& results);
 
+/** \brief Does a text begin as jsonText() does? */
+bool
+isResultsJson (const std::string& text);
+
 } // namespace pcl_msf::tool

@@ -5,12 +5,13 @@
 
 #include <opencv2/core/utils/logger.hpp>
 
+#include "common/input_files.h"
 #include "common/interruption.h"
+#include "common/output_folder.h"
 #include "common/tool_main.h"
 #include "render/inputs.h"
 #include "render/options.h"
 #include "render/pictures.h"
-#include <pcl_msf/io/folders.h>
 
 #include <cstdio>
 #include <exception>
@@ -35,9 +36,14 @@ main (int argc, char** argv)
       return 0;
     }
     noteSignals();
-    io::makeFolder (options.output); // before the work: it may be the wrong one
-    const RenderInputs inputs = loadRenderInputs (options);
-    for (const std::string& file : writeRenders (inputs, options))
+    for (const std::string& recording : {options.input, options.sequence})
+      if (resultPairs (recording).empty())
+        requireOutside ("--output", options.output, recording);
+    // Before the work: it may be the wrong one.
+    OutputFolder output (options.output, "pcl_msf_render", resultOf (options));
+    prepareOutput (options, output);
+    for (const std::string& file :
+         writeRenders (loadRenderInputs (options), options, output))
       if (!options.quiet)
         std::printf ("%s\n", file.c_str());
     return 0;

@@ -35,9 +35,11 @@ check (const RenderOptions& o)
     throw UsageError ("give a folder of pcl_msf_scene_flow or one with frames");
   if (!o.style.isValid (&why))
     throw UsageError ("--" + why);
-  if (o.frame < 1 || o.window < 0)
-    throw UsageError ("--frame, --window: " + std::to_string (o.frame) + ", " +
-                      std::to_string (o.window) + "; must be 1 or more");
+  if (o.frame.value_or (0) < 0 || o.reference.value_or (0) < 0 || o.window < 0)
+    throw UsageError ("--frame, --reference, --window: " +
+                      std::to_string (o.frame.value_or (0)) + ", " +
+                      std::to_string (o.reference.value_or (0)) + ", " +
+                      std::to_string (o.window) + "; must not be negative");
   if (o.scene.arrow_step < 0 || !(o.scene.arrow_scale >= 0.0))
     throw UsageError ("--arrow-step, --arrow-scale: must not be negative");
   if (!(o.field_of_view > 1.0 && o.field_of_view < 170.0) || !(o.zoom > 0.0))
@@ -73,12 +75,13 @@ printRenderHelp ()
   RenderOptions defaults;
   makeCommandLine (defaults).printHelp();
   std::printf (
-      "\nRESULT is a folder that pcl_msf_scene_flow wrote: scene_flow_0_K.pcd is "
+      "\nRESULT is a folder that pcl_msf_scene_flow wrote: scene_flow_R_K.pcd is "
       "read,\n"
-      "bodies_0.png and visibility_0_K.png when they are there. Kinds that show the\n"
-      "current frame need --sequence. FOLDER holds frames; their scene flow is "
-      "computed\n"
-      "first, with the default parameters. Without a display an Xvfb is started.\n");
+      "bodies_R.png and visibility_R_K.png when they are there. Kinds that show the\n"
+      "current frame need --sequence. FOLDER holds frames, as pcl_msf_scene_flow "
+      "takes\n"
+      "them; their scene flow is computed first, with the default parameters. Without\n"
+      "a display an Xvfb is started.\n");
 }
 
 } // namespace pcl_msf::tool

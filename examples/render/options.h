@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <pcl_msf/io/datasets.h>
 #include <pcl_msf/pinhole_camera.h>
 #include <pcl_msf/visualization/result_scenes.h>
 #include <pcl_msf/visualization/scene.h>
@@ -20,10 +21,12 @@ enum class Animation { None, Orbit, Warp };
 
 /** \brief Everything that the command line of pcl_msf_render says. */
 struct RenderOptions {
-  std::string input;    ///< a result folder or a folder with frames
-  std::string sequence; ///< a folder with the frames of a result folder
-  int frame{1};         ///< the current frame
-  int window{0};        ///< last frame of trajectories and warps; 0 = the current one
+  std::string input;            ///< a result folder or a folder with frames
+  std::string sequence;         ///< a folder with the frames of a result folder
+  std::optional<int> reference; ///< of a result; none = the first that there is
+  std::optional<int> frame;     ///< the current one; none = next to the reference
+  io::DatasetOptions reading;   ///< of frames
+  int window{0}; ///< last frame of trajectories and warps; 0 = the current one
   std::vector<visualization::PictureKind> kinds;
   bool sheet{false};
   std::string output;

@@ -24,12 +24,24 @@ namespace fs = std::filesystem;
 constexpr double kPi = 3.14159265358979323846;
 constexpr int kSheetColumns = 4;
 
+/** "orbit", "warp", or nothing. */
+std::string
+animationName (const RenderOptions& options)
+{
+  return options.animation == Animation::Orbit  ? "orbit"
+         : options.animation == Animation::Warp ? "warp"
+                                                : "";
+}
+
 /** One run: a renderer and the files it has written. */
 class Studio {
 public:
-  Studio (const RenderInputs& inputs, const RenderOptions& options)
+  Studio (const RenderInputs& inputs,
+          const RenderOptions& options,
+          OutputFolder& output)
   : inputs_ (inputs)
   , options_ (options)
+  , output_ (output)
   , bounds_ (boundsOf (inputs.result.scene_flow.points))
   , style_ (options.style)
   {
@@ -54,9 +66,7 @@ public:
   writeAnimation ()
   {
     const bool orbit = options_.animation == Animation::Orbit;
-    const std::string name = orbit ? "orbit" : "warp";
-    const fs::path folder = fs::path (options_.output) / name;
-    io::makeFolder (folder.string());
+    const std::string name = animationName (options_);
     const PictureKind kind =
         options_.kinds.empty() ? PictureKind::AfterTints : options_.kinds.front();
     const Scene still = orbit ? scene (kind) : Scene();
@@ -71,7 +81,7 @@ public:
                                       inputs_.displacements,
                                       0.5 * (1.0 - std::cos (turn)) * lastFrame()),
                            view (options_.azimuth)));
-      pictures.push_back (files_.back());
+      pictures.push_back (output_.locate (file));
     }
     encode (name, pictures);
   }
@@ -159,9 +169,18 @@ private:
   write (const std::string& name, const cv::Mat& picture)
   {
     throwIfInterrupted();
-    const std::string path = (fs::path (options_.output) / name).string();
-    io::writeImage (path, picture);
-    files_.push_back (path);
+    const fs::path staged = fs::path (output_.stage()) / name;
+    io::makeFolder (staged.parent_path().string());
+    io::writeImage (staged.string(), picture);
+    add (name);
+  }
+
+  /** A file that is complete. */
+  void
+  add (const std::string& name)
+  {
+    output_.publish();
+    files_.push_back ((fs::path (options_.output) / name).string());
   }
 
   void
@@ -188,19 +207,20 @@ private:
   void
   encode (const std::string& name, const std::vector<std::string>& pictures)
   {
-    const fs::path base = fs::path (options_.output) / name;
+    const std::string base = (fs::path (output_.stage()) / name).string();
     if (options_.gif) {
-      writeGif (base.string() + ".gif", pictures, options_.rate, interrupted);
-      files_.push_back (base.string() + ".gif");
+      writeGif (base + ".gif", pictures, options_.rate, interrupted);
+      add (name + ".gif");
     }
     if (options_.mp4) {
-      writeMp4 (base.string() + ".mp4", pictures, options_.rate, interrupted);
-      files_.push_back (base.string() + ".mp4");
+      writeMp4 (base + ".mp4", pictures, options_.rate, interrupted);
+      add (name + ".mp4");
     }
   }
 
   const RenderInputs& inputs_;
   const RenderOptions& options_;
+  OutputFolder& output_;
   SceneBounds bounds_;
   PictureStyle style_;
   OffscreenRenderer renderer_;
@@ -209,13 +229,53 @@ private:
 
 } // namespace
 
-std::vector<std::string>
-writeRenders (const RenderInputs& inputs, const RenderOptions& options)
+std::string
+resultOf (const RenderOptions& options)
 {
-  Studio studio (inputs, options);
+  std::error_code error;
+  std::string result = fs::canonical (options.input, error).string();
+  const OutputManifest files (options.input, "pcl_msf_scene_flow");
+  const auto first = files.entries().lower_bound ("scene_flow_");
+  if (first != files.entries().end()) // another run has other points
+    result += " " + std::to_string (first->second.hash);
+  return result;
+}
+
+void
+prepareOutput (const RenderOptions& options, OutputFolder& output)
+{
+  const std::string animation = animationName (options);
+  const auto moves = [animation] (const std::string& name) {
+    return !animation.empty() &&
+           (name.rfind (animation + "/", 0) == 0 || name == animation + ".gif" ||
+            name == animation + ".mp4");
+  };
+  const std::string result = resultOf (options);
+  output.keep ([&] (const std::string& name, const std::string& group) {
+    return group == result && !moves (name);
+  });
+  InputFiles inputs;
+  for (const std::string& recording : {options.input, options.sequence})
+    if (resultPairs (recording).empty())
+      inputs.add (recording, options.output);
+  output.check (inputs, [&] (const std::string& name) {
+    bool drawn = moves (name) || (options.sheet && name == "sheet.png");
+    for (const PictureKind kind : options.kinds)
+      drawn = drawn || name == toString (kind) + ".png";
+    return drawn;
+  });
+}
+
+std::vector<std::string>
+writeRenders (const RenderInputs& inputs,
+              const RenderOptions& options,
+              OutputFolder& output)
+{
+  Studio studio (inputs, options, output);
   studio.writeKinds();
   if (options.animation != Animation::None)
     studio.writeAnimation();
+  output.finish();
   return studio.files();
 }
 

@@ -4,20 +4,26 @@
 #include <opencv2/core/utils/logger.hpp>
 
 #include "common/command_line.h"
+#include "common/input_files.h"
 #include "common/option_values.h"
 #include "common/tool_main.h"
 #include <pcl_msf/io/folders.h>
 #include <pcl_msf/io/html_report.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <utility>
 
 namespace {
 
 using namespace pcl_msf;
 using tool::CommandLine;
+using tool::InputFiles;
+using tool::requireNoInput;
 using tool::UsageError;
 
 struct ReportOptions {
@@ -58,18 +64,43 @@ makeCommandLine (ReportOptions& options)
   return line;
 }
 
-/** Names that tell the results apart: their paths, without what all have in common. */
-void
-nameEntries (const std::vector<std::string>& folders, io::HtmlReport& report)
+/** Entries of all folders. Where folders have one name, their paths tell them apart. */
+std::vector<io::HtmlEntry>
+readEntries (const std::vector<std::string>& folders)
 {
-  for (std::size_t i = 0; i < folders.size(); ++i) {
-    const std::string name = report.entries[i].name;
-    const auto same = std::count_if (report.entries.begin(),
-                                     report.entries.end(),
-                                     [&] (auto& entry) { return entry.name == name; });
-    if (same > 1)
-      report.entries[i].name = folders[i];
+  std::map<std::string, int> uses;
+  std::vector<std::vector<io::HtmlEntry>> parts;
+  for (const std::string& folder : folders) {
+    parts.push_back (io::entriesOfFolder (folder));
+    ++uses[parts.back().front().name];
   }
+  std::vector<io::HtmlEntry> entries;
+  for (std::size_t i = 0; i < folders.size(); ++i) {
+    const bool clear = uses[parts[i].front().name] == 1;
+    for (io::HtmlEntry& entry : parts[i]) {
+      if (!clear)
+        entry.name = folders[i] + (parts[i].size() > 1 ? ": " + entry.name : "");
+      entries.push_back (std::move (entry));
+    }
+  }
+  return entries;
+}
+
+/** Is the page to be written over something that is no page of this tool? */
+void
+checkOutput (const ReportOptions& options, const std::vector<std::string>& folders)
+{
+  InputFiles inputs;
+  for (const auto& paths : {options.tables, folders})
+    for (const std::string& path : paths)
+      inputs.add (path);
+  std::ifstream page (options.output, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char> (page), {}};
+  if (!page || io::isHtmlReport (text))
+    return;
+  requireNoInput ("--output", options.output, inputs);
+  throw UsageError ("--output: '" + options.output +
+                    "' is there and no page of this tool; give another name");
 }
 
 int
@@ -87,9 +118,8 @@ run (const ReportOptions& options)
                                  "of pcl_msf_scene_flow");
     folders.insert (folders.end(), found.begin(), found.end());
   }
-  for (const std::string& folder : folders)
-    report.entries.push_back (io::entryOfFolder (folder));
-  nameEntries (folders, report);
+  report.entries = readEntries (folders);
+  checkOutput (options, folders);
   const std::string parent =
       std::filesystem::path (options.output).parent_path().string();
   if (!parent.empty())

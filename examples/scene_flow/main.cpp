@@ -3,12 +3,13 @@
 // Scene flow between RGB-D frames: files in, files out.
 #include <pcl/console/print.h>
 
+#include "common/input_files.h"
+#include "common/output_folder.h"
 #include "common/tool_main.h"
 #include "options.h"
 #include "output.h"
 #include "pipeline.h"
 #include "tracking.h"
-#include <pcl_msf/io/folders.h>
 #include <pcl_msf/io/pose_files.h>
 
 #include <algorithm>
@@ -86,11 +87,8 @@ private:
 };
 
 void
-writeAll (Outcome& outcome, const Options& options, bool several)
+warnUnlessConverged (const Outcome& outcome)
 {
-  writeOutcome (outcome, options, several);
-  if (!options.quiet)
-    printSummary (outcome, options.output);
   const Report& report = outcome.lastFlow().report;
   if (!report.converged)
     complain (kProgram,
@@ -100,42 +98,79 @@ writeAll (Outcome& outcome, const Options& options, bool several)
                   (report.message.empty() ? "" : " ") + report.message);
 }
 
-void
-writePoses (const Trajectory& trajectory, const Options& options)
-{
-  io::writeTrajectory (
-      (std::filesystem::path (options.output) / "trajectory.txt").string(),
-      trajectory.poses());
-}
+/** Where a run's files go, window by window. */
+class Results {
+public:
+  Results (const Options& options, const Inputs& inputs)
+  : options_ (options)
+  , folder_ (options.output, kProgram)
+  , trajectory_ (inputs.frames() > 2 || options.track)
+  {
+    folder_.check (inputFiles (options), [&inputs] (const std::string& name) {
+      return isResultName (name, inputs.frames());
+    });
+  }
+  void
+  write (Outcome& outcome, const Trajectory& trajectory)
+  {
+    Options staged = options_;
+    staged.output = folder_.stage();
+    writeOutcome (outcome, staged);
+    if (trajectory_)
+      io::writeTrajectory (folder_.stage() + "/trajectory.txt", trajectory.poses());
+    folder_.publish();
+    if (!options_.quiet)
+      printSummary (outcome, options_.output);
+    warnUnlessConverged (outcome);
+  }
+  void
+  finish ()
+  {
+    folder_.finish();
+  }
+
+private:
+  static InputFiles
+  inputFiles (const Options& options)
+  {
+    InputFiles files;
+    for (const auto& paths : {options.color, options.depth, options.cloud})
+      for (const std::string& path : paths)
+        files.add (path);
+    files.add (options.labels);
+    files.add (options.sequence, options.output);
+    return files;
+  }
+
+  const Options& options_;
+  OutputFolder folder_;
+  bool trajectory_;
+};
 
 /** Windows that share a frame. */
 void
-runWindows (const Options& options, Inputs& inputs)
+runWindows (const Options& options, Inputs& inputs, Results& results)
 {
   Trajectory trajectory;
-  const bool several = inputs.frames() > inputs.window();
   const int step = inputs.window() - 1;
   for (int first = 0; first + 1 < inputs.frames(); first += step) {
     const int count = std::min (inputs.window(), inputs.frames() - first);
     Outcome outcome = runPipeline (options, inputs, first, count);
-    writeAll (outcome, options, several);
     trajectory.add (outcome, inputs);
-    if (inputs.frames() > 2)
-      writePoses (trajectory, options);
+    results.write (outcome, trajectory);
   }
 }
 
 void
-runTracking (const Options& options, Inputs& inputs)
+runTracking (const Options& options, Inputs& inputs, Results& results)
 {
   Trajectory trajectory;
   Tracking tracking (options, inputs);
   for (int frame = 0; frame < inputs.frames(); ++frame) {
     Outcome outcome = tracking.next();
-    if (frame > 0)
-      writeAll (outcome, options, true);
     trajectory.add (inputs.timestamp (frame), tracking.cameraPose());
-    writePoses (trajectory, options);
+    if (frame > 0)
+      results.write (outcome, trajectory);
   }
 }
 
@@ -152,11 +187,13 @@ run (const Options& given)
                          .filename()
                          .string() +
                      "_scene_flow";
-  io::makeFolder (options.output);
+  requireOutside ("--output", options.output, options.sequence);
+  Results results (options, inputs);
   if (options.track)
-    runTracking (options, inputs);
+    runTracking (options, inputs, results);
   else
-    runWindows (options, inputs);
+    runWindows (options, inputs, results);
+  results.finish();
   return 0;
 }
 

@@ -2,60 +2,14 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "option_table.h"
 
-#include "common/option_values.h"
-#include "core/number_text.h"
+#include "common/default_help.h"
 
-#include <type_traits>
-#include <utility>
+#include <string>
+#include <vector>
 
 namespace pcl_msf::tool {
 
 namespace {
-
-std::string
-withDefault (const std::string& help, const std::string& value)
-{
-  return help + " [" + value + "]";
-}
-
-template <typename Number>
-Option
-numeric (const std::string& name,
-         const std::string& argument,
-         const std::string& help,
-         Number& value)
-{
-  std::string preset;
-  if constexpr (std::is_integral_v<Number>)
-    preset = std::to_string (value);
-  else
-    preset = generalText (value);
-  return {name, argument, withDefault (help, preset), number (value)};
-}
-
-Option
-switchable (const std::string& name, const std::string& help, bool& value)
-{
-  return {name, "0|1", withDefault (help, value ? "1" : "0"), boolean (value)};
-}
-
-/** One of several words, listed in the help with the default's. */
-template <typename Enum>
-Option
-oneOf (const std::string& name,
-       Enum& value,
-       const std::vector<std::pair<std::string, Enum>>& words)
-{
-  std::string list;
-  std::string preset;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const bool last = i + 1 == words.size();
-    list += (i == 0 ? "" : last ? " or " : ", ") + words[i].first;
-    if (words[i].second == value)
-      preset = words[i].first;
-  }
-  return {name, "WORD", withDefault (list, preset), choice (value, words)};
-}
 
 Setter
 append (std::vector<std::string>& files)
@@ -83,20 +37,16 @@ inputOptions (Options& o)
        {"--camera",
         "FX,FY,CX,CY",
         "pinhole camera, pixels; fitted to clouds when not given",
-        [&o] (const std::string& s) { return parseCamera (s, o.camera.emplace()); }},
+        camera (o.camera)},
        {"--depth-scale",
         "S",
         "units per metre of depth images or clouds [1000 for 16 bit, else 1]",
-        [&o] (const std::string& s) {
-          return parse (s, o.depth_scale.emplace()) && *o.depth_scale > 0.0;
-        }},
+        positive (o.depth_scale)},
        {"--max-time-difference",
         "S",
         withDefault ("between colour and depth images of a recording, seconds",
-                     generalText (o.max_time_difference)),
-        [&o] (const std::string& s) {
-          return parse (s, o.max_time_difference) && o.max_time_difference > 0.0;
-        }},
+                     o.max_time_difference),
+        positive (o.max_time_difference)},
        {"--labels",
         "FILE",
         "16-bit label image in place of a segmentation; 65535 = none",

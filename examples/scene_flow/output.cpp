@@ -3,13 +3,16 @@
 #include "output.h"
 
 #include "common/interruption.h"
+#include "common/option_values.h"
 #include "pictures.h"
 #include <pcl_msf/io/float_files.h>
 #include <pcl_msf/io/images.h>
 #include <pcl_msf/io/pose_files.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <regex>
 #include <string>
 
 namespace pcl_msf::tool {
@@ -38,18 +41,17 @@ writeData (const Outcome& o, int frame, const std::filesystem::path& folder)
 
 /** What belongs to the window as a whole. */
 void
-writeWindow (const Outcome& o, bool several, const std::filesystem::path& folder)
+writeWindow (const Outcome& o, const std::filesystem::path& folder)
 {
   const std::string reference = std::to_string (o.reference());
   io::writeLabels ((folder / ("labels_" + reference + ".png")).string(),
                    o.lastFlow().labels);
   io::writeLabels ((folder / ("bodies_" + reference + ".png")).string(),
                    io::bodyImage (o.lastFlow()));
-  if (o.result.frames.size() <= 2)
-    return;
-  const std::string name = several ? "poses_" + reference : "poses";
-  for (const char* type : {".yaml", ".json"})
-    io::writePoses ((folder / (name + type)).string(), o.result, o.indices);
+  if (o.result.frames.size() > 2)
+    for (const char* type : {".yaml", ".json"})
+      io::writePoses (
+          (folder / ("poses_" + reference + type)).string(), o.result, o.indices);
 }
 
 } // namespace
@@ -62,26 +64,44 @@ pairName (const Outcome& outcome, int frame)
 }
 
 void
-writeOutcome (Outcome& outcome, const Options& options, bool several)
+writeOutcome (Outcome& outcome, const Options& options)
 {
   const auto begin = std::chrono::steady_clock::now();
   const std::filesystem::path folder = options.output;
   const int count = static_cast<int> (outcome.result.frames.size());
-  writeWindow (outcome, several, folder);
+  writeWindow (outcome, folder);
   for (int k = outcome.first_new; k < count; ++k)
     if (k != outcome.result.reference) {
       writeData (outcome, k, folder);
-      writePictures (outcome, k, options, several);
+      writePictures (outcome, k, options);
     }
   const std::chrono::duration<double> seconds =
       std::chrono::steady_clock::now() - begin;
   outcome.seconds.write = seconds.count();
-  const std::string report =
-      several ? "report_" + std::to_string (outcome.reference()) : "report";
-  io::writeReport ((folder / (report + ".json")).string(),
-                   outcome.lastFlow(),
-                   outcome.seconds,
-                   count);
+  // Under the window's name and, for the last window, under one that is always there.
+  for (const std::string& name :
+       {"report_" + std::to_string (outcome.reference()), std::string ("report")})
+    io::writeReport ((folder / (name + ".json")).string(),
+                     outcome.lastFlow(),
+                     outcome.seconds,
+                     count);
+}
+
+bool
+isResultName (const std::string& name, int frames)
+{
+  static const std::regex names (
+      "(flow|scene_flow|warped|visible|visibility|occlusion|residual|overlay|flicker)"
+      "_([0-9]+)_([0-9]+)(_before|_after)?\\.(flo|png|pcd)|"
+      "(labels|bodies|range|segments|motions|weights|convergence|overview)_([0-9]+)"
+      "\\.png|(poses|report)_([0-9]+)\\.(yaml|json)|report\\.json|trajectory\\.txt");
+  std::smatch parts;
+  if (!std::regex_match (name, parts, names))
+    return false;
+  return std::none_of (parts.begin(), parts.end(), [frames] (const auto& part) {
+    int number = -1;
+    return parse (part.str(), number) && number >= frames;
+  });
 }
 
 } // namespace pcl_msf::tool

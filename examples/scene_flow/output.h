@@ -13,9 +13,15 @@ std::string
 pairName (const Outcome& outcome, int frame);
 
 /** \brief Writes all files of a window's result, its report last; notes the time that
- * took in the outcome. \param several one of many windows: names of files that belong
- * to the window end with its reference \throws IoError, Interrupted */
+ * took in the outcome. \param options its `output` is where to write \throws IoError,
+ * Interrupted */
 void
-writeOutcome (Outcome& outcome, const Options& options, bool several);
+writeOutcome (Outcome& outcome, const Options& options);
+
+/** \brief Could a run over so many frames write a file of this name? Names tell what is
+ * in the file and which frames it is about, "flow_0_1.flo", "labels_0.png"; they are
+ * the same for pairs, windows and tracking, and none that a recording has. */
+bool
+isResultName (const std::string& name, int frames);
 
 } // namespace pcl_msf::tool

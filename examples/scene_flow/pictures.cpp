@@ -114,7 +114,7 @@ addOverlays (Album& album, const Outcome& o, const Scene& s, int frame)
 } // namespace
 
 void
-writePictures (const Outcome& o, int frame, const Options& options, bool several)
+writePictures (const Outcome& o, int frame, const Options& options)
 {
   const Scene s{o.result.frames[frame], o.images[o.result.reference], o.images[frame]};
   const std::string reference = "_" + std::to_string (o.reference());
@@ -122,7 +122,7 @@ writePictures (const Outcome& o, int frame, const Options& options, bool several
   Album album (options.output);
   album.show ("reference", s.reference.color);
   album.show ("current", s.current.color);
-  album.add ("depth" + reference + ".png",
+  album.add ("range" + reference + ".png", // "depth" would name a recording's
              "depth of the reference",
              io::depthPicture (s.reference.depth));
   album.add ("segments" + reference + ".png",
@@ -141,11 +141,11 @@ writePictures (const Outcome& o, int frame, const Options& options, bool several
   album.add ("residual" + pair, "residual", residualPicture (s));
   if (!s.reference.color.empty())
     addOverlays (album, o, s, frame);
-  album.add (several ? "convergence" + reference + ".png" : "convergence.png",
+  album.add ("convergence" + reference + ".png",
              "convergence",
              io::convergencePlot (s.flow.report, {kPlotWidth, kPlotHeight}));
   if (frame == o.lastTarget())
-    album.writeOverview (several ? "overview" + reference + ".png" : "overview.png");
+    album.writeOverview ("overview" + reference + ".png");
 }
 
 } // namespace pcl_msf::tool

@@ -7,9 +7,8 @@
 namespace pcl_msf::tool {
 
 /** \brief Writes the pictures of the result for a frame of the window and, for the last
- * one, an overview of them into the output folder.
- * \param several one of many windows, see writeOutcome \throws IoError, Interrupted */
+ * one, an overview of them into the output folder. \throws IoError, Interrupted */
 void
-writePictures (const Outcome& outcome, int frame, const Options& options, bool several);
+writePictures (const Outcome& outcome, int frame, const Options& options);
 
 } // namespace pcl_msf::tool

@@ -15,8 +15,9 @@
 
 #include <cstdio>
 #include <exception>
-#include <filesystem>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -34,6 +35,8 @@ makeCommandLine (RenderOptions& options)
   line.options = {
       {"--sequence", "FOLDER", "frames of a result folder", text (options.sequence)},
       {"--help", "", "print this", flag (options.help)}};
+  for (const Option& option : readingOptions (options.reading))
+    line.options.insert (line.options.end() - 1, option);
   line.take_word = [&options] (const std::string& word) {
     if (!options.input.empty())
       throw UsageError ("'" + word + "': one input is enough; leave it away");
@@ -42,17 +45,43 @@ makeCommandLine (RenderOptions& options)
   return line;
 }
 
+/** Every pair that pcl_msf_scene_flow wrote. */
+SequenceSolver::Maker
+resultMaker (RenderOptions options, std::vector<ResultPair> pairs)
+{
+  if (options.sequence.empty())
+    throw UsageError ("--sequence: missing; a result is shown with its frames");
+  openFrames (options.sequence, options.reading); // a wrong one is told at once
+  return [options, pairs] (int pair, const std::function<bool()>&) {
+    RenderOptions one = options;
+    one.reference = pairs[pair].reference;
+    one.frame = pairs[pair].current;
+    return loadRenderInputs (one).result;
+  };
+}
+
+/** Every frame to the next. */
+SequenceSolver::Maker
+pairMaker (std::shared_ptr<const io::RgbdSequence> frames)
+{
+  auto reference = std::make_shared<io::RgbdImages> (frames->frame (0));
+  return [frames, reference] (int pair, const std::function<bool()>& go_on) {
+    io::RgbdImages current = frames->frame (pair + 1);
+    visualization::ResultClouds result = estimatePair (*reference, current, go_on);
+    *reference = std::move (current);
+    return result;
+  };
+}
+
 std::unique_ptr<SequenceSolver>
 makeSolver (const RenderOptions& options)
 {
-  const std::filesystem::path input = options.input;
-  if (!std::filesystem::exists (input / "scene_flow_0_1.pcd"))
-    return std::make_unique<SequenceSolver> (io::DataFolder (options.input));
-  if (options.sequence.empty())
-    throw UsageError ("--sequence: missing; a result is shown with its frames");
-  auto result =
-      std::make_shared<visualization::ResultClouds> (loadRenderInputs (options).result);
-  return std::make_unique<SequenceSolver> (std::move (result));
+  const std::vector<ResultPair> pairs = resultPairs (options.input);
+  if (!pairs.empty())
+    return std::make_unique<SequenceSolver> (static_cast<int> (pairs.size()),
+                                             resultMaker (options, pairs));
+  const auto frames = openFrames (options.input, options.reading);
+  return std::make_unique<SequenceSolver> (frames->frames() - 1, pairMaker (frames));
 }
 
 int

@@ -2,20 +2,14 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "view/sequence_solver.h"
 
-#include "render/inputs.h"
-
 #include <exception>
+#include <utility>
 
 namespace pcl_msf::tool {
 
-SequenceSolver::SequenceSolver (const io::DataFolder& folder)
-: pairs_ (folder.frames() - 1), thread_ ([this, folder] { run (folder); })
+SequenceSolver::SequenceSolver (int pairs, Maker make)
+: pairs_ (pairs), thread_ ([this, make = std::move (make)] { run (make); })
 {}
-
-SequenceSolver::SequenceSolver (Result result) : pairs_ (1)
-{
-  results_.push_back (std::move (result));
-}
 
 SequenceSolver::~SequenceSolver()
 {
@@ -25,17 +19,14 @@ SequenceSolver::~SequenceSolver()
 }
 
 void
-SequenceSolver::run (const io::DataFolder& folder)
+SequenceSolver::run (const Maker& make)
 {
   try {
-    io::RgbdImages reference = folder.frame (0);
-    for (int k = 1; k <= pairs_ && !stop_; ++k) {
-      io::RgbdImages current = folder.frame (k);
+    for (int k = 0; k < pairs_ && !stop_; ++k) {
       auto solved = std::make_shared<visualization::ResultClouds> (
-          estimatePair (reference, current, [this] { return !stop_; }));
+          make (k, [this] { return !stop_; }));
       const std::lock_guard<std::mutex> lock (mutex_);
       results_.push_back (std::move (solved));
-      reference = std::move (current);
     }
   }
   catch (const std::exception& e) {

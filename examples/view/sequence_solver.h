@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include <pcl_msf/io/data_folder.h>
 #include <pcl_msf/visualization/result_scenes.h>
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -14,17 +14,18 @@
 
 namespace pcl_msf::tool {
 
-/** \brief Solves the pairs of a sequence one after the other in a thread of its own;
- * what is done can be looked at meanwhile. */
+/** \brief Makes the results of pairs one after the other in a thread of its own; what
+ * is done can be looked at meanwhile. */
 class SequenceSolver {
 public:
   using Result = std::shared_ptr<const visualization::ResultClouds>;
 
-  /** \brief Every frame to the next. */
-  explicit SequenceSolver (const io::DataFolder& folder);
+  /** \brief Makes a pair's result; asked for 0, 1, ... in turn.
+   * \param go_on asked now and then; false = the result is not wanted any more */
+  using Maker = std::function<visualization::ResultClouds (
+      int pair, const std::function<bool()>& go_on)>;
 
-  /** \brief A result that is there already. */
-  explicit SequenceSolver (Result result);
+  SequenceSolver (int pairs, Maker make);
 
   /** \brief Gives up what is being solved and waits for the thread. */
   ~SequenceSolver();
@@ -52,7 +53,7 @@ public:
 
 private:
   void
-  run (const io::DataFolder& folder);
+  run (const Maker& make);
 
   int pairs_{0};
   mutable std::mutex mutex_;

@@ -28,7 +28,7 @@ struct FrameParameters {
 
 /** \brief How the reference frame is cut into segments. */
 enum class SegmentationMethod {
-  TangentPlane, ///< graph-based, edges in units of the sensor's depth noise
+  TangentPlane, ///< clusters on common planes, in units of the sensor's depth noise
   Felzenszwalb, ///< the paper's: graph-based on raw depth (cv::ximgproc)
   Slic,         ///< SLIC superpixels on intensity and depth (cv::ximgproc)
   Tiles,        ///< regular tiles
@@ -37,7 +37,7 @@ enum class SegmentationMethod {
 
 struct SegmentationParameters {
   SegmentationMethod method{SegmentationMethod::TangentPlane};
-  double threshold{0.5}; ///< Felzenszwalb's, the paper's 0.5 (sigma 0 - smoothing off)
+  double threshold{0.5}; ///< Felzenszwalb's, the paper's; the smoothing's sigma is 0.5
   int min_points{2000};  ///< Felzenszwalb: smaller segments are merged or discarded
   bool discard_small{false}; ///< Felzenszwalb: discard small segments (true) or merge
   int segment_size{24}; ///< TangentPlane, Slic, Tiles: aimed side, pixels, [4, 512]

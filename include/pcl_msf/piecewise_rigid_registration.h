@@ -87,7 +87,7 @@ noSceneFlow ();
  * before it can be refused. Of the inherited settings, these have no effect: RANSAC,
  * correspondence distance, transformation and fitness epsilons, estimators, rejectors,
  * the point representation (except on the search objects). setMaximumIterations bounds
- * the steps per pyramid level, default 8. The visualization callback is called once per
+ * the steps per pyramid level, default 6. The visualization callback is called once per
  * successful align, with the warped source and the indices of corresponding points in
  * it and in the target.
  *
@@ -181,7 +181,7 @@ public:
   void
   align (PointCloudSource& output, const Matrix4& guess);
 
-  /** \brief Levenberg-Marquardt steps per pyramid level, >= 0, default 8. */
+  /** \brief Levenberg-Marquardt steps per pyramid level, >= 0, default 6. */
   void
   setMaximumIterations (int iterations);
 

@@ -14,8 +14,8 @@ namespace pcl_msf {
  *
  * The cross product of the tangents along x and y; with W the inverse depth and W_u,
  * W_v its differences, it is parallel to (fx W_u, fy W_v, W - W_u (u - cx) - W_v (v -
- * cy)). Differences are central, over `radius` pixels on both sides (more where the
- * sensor is noisy), and stay on the pixel's own surface. */
+ * cy)). Differences are central, over a few pixels on both sides (more where
+ * the sensor is noisy), and stay on the pixel's own surface. */
 cv::Mat
 normalsByCentralDifferences (const cv::Mat& inverse_depth,
                              const PinholeCamera& camera,

@@ -42,7 +42,7 @@ visit (const cv::Mat& estimate,
     for (int x = 0; x < truth.cols; ++x)
       if (m[x] == 255 && isKnown (t[x])) {
         const bool known = isKnown (e[x]);
-        visitor (known ? e[x] : Vector(), t[x], known);
+        visitor (cv::Point (x, y), known ? e[x] : Vector(), t[x], known);
       }
   }
 }
@@ -134,15 +134,18 @@ flowErrors (const cv::Mat& flow, const cv::Mat& truth, const cv::Mat& mask)
   requireImage ("mask", mask, CV_8UC1, truth.size());
   std::vector<double> errors, angles;
   long known_count = 0, outliers = 0;
-  visit<2> (
-      flow, truth, mask, [&] (const cv::Vec2f& e, const cv::Vec2f& t, bool known) {
-        const double error = cv::norm (e - t);
-        errors.push_back (error);
-        angles.push_back (angleBetween (e, t));
-        known_count += known ? 1 : 0;
-        const double limit = std::max (kOutlierPixels, kOutlierShare * cv::norm (t));
-        outliers += error > limit ? 1 : 0;
-      });
+  visit<2> (flow,
+            truth,
+            mask,
+            [&] (const cv::Point&, const cv::Vec2f& e, const cv::Vec2f& t, bool known) {
+              const double error = cv::norm (e - t);
+              errors.push_back (error);
+              angles.push_back (angleBetween (e, t));
+              known_count += known ? 1 : 0;
+              const double limit =
+                  std::max (kOutlierPixels, kOutlierShare * cv::norm (t));
+              outliers += error > limit ? 1 : 0;
+            });
   FlowErrors result;
   if (errors.empty())
     return result;
@@ -157,6 +160,22 @@ flowErrors (const cv::Mat& flow, const cv::Mat& truth, const cv::Mat& mask)
   return result;
 }
 
+cv::Mat
+endPointErrors (const cv::Mat& flow, const cv::Mat& truth)
+{
+  requireImage ("flow", flow, CV_32FC2, truth.size());
+  requireImage ("true flow", truth, CV_32FC2, truth.size());
+  cv::Mat errors (truth.size(), CV_32FC1, cv::Scalar (kNan));
+  const cv::Mat all (truth.size(), CV_8UC1, cv::Scalar (255));
+  visit<2> (flow,
+            truth,
+            all,
+            [&] (const cv::Point& pixel, const cv::Vec2f& e, const cv::Vec2f& t, bool) {
+              errors.at<float> (pixel) = static_cast<float> (cv::norm (e - t));
+            });
+  return errors;
+}
+
 SceneFlowErrors
 sceneFlowErrors (const cv::Mat& displacement, const cv::Mat& truth, const cv::Mat& mask)
 {
@@ -168,7 +187,7 @@ sceneFlowErrors (const cv::Mat& displacement, const cv::Mat& truth, const cv::Ma
   visit<3> (displacement,
             truth,
             mask,
-            [&] (const cv::Vec3f& e, const cv::Vec3f& t, bool known) {
+            [&] (const cv::Point&, const cv::Vec3f& e, const cv::Vec3f& t, bool known) {
               errors.push_back (cv::norm (e - t));
               known_count += known ? 1 : 0;
             });

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pcl_msf::io {
 
@@ -41,23 +40,6 @@ flowPicture (const cv::Mat& flow, double maximum)
             letters,
             cv::Scalar::all (0));
   return picture;
-}
-
-cv::Mat
-flowError (const cv::Mat& flow, const cv::Mat& truth)
-{
-  CV_Assert (flow.type() == CV_32FC2 && truth.type() == CV_32FC2 &&
-             flow.size() == truth.size());
-  cv::Mat error (
-      flow.size(), CV_32FC1, cv::Scalar (std::numeric_limits<float>::quiet_NaN()));
-  for (int row = 0; row < flow.rows; ++row)
-    for (int col = 0; col < flow.cols; ++col) {
-      const auto& a = flow.at<cv::Vec2f> (row, col);
-      const auto& b = truth.at<cv::Vec2f> (row, col);
-      if (isKnown (a) && isKnown (b))
-        error.at<float> (row, col) = std::hypot (a[0] - b[0], a[1] - b[1]);
-    }
-  return error;
 }
 
 FlickerPair

@@ -18,6 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 using HtmlRow = std::vector<std::string>;
 
+constexpr const char* kGenerator =
+    "<meta name=\"generator\" content=\"pcl_msf_report\">\n";
+
 std::string
 escaped (const std::string& text)
 {
@@ -211,9 +214,9 @@ std::string
 htmlPage (const HtmlReport& report, const std::string& folder)
 {
   std::string text =
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n"
-      "<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
+      std::string ("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n"
+                   "<meta charset=\"utf-8\">\n") +
+      kGenerator + "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
       escaped (report.title) + "</title>\n<style>" + kPageStyle +
       "</style>\n</head>\n<body>\n<h1>" + escaped (report.title) + "</h1>\n";
   if (report.entries.size() > 1) {
@@ -229,6 +232,12 @@ htmlPage (const HtmlReport& report, const std::string& folder)
   for (std::size_t i = 0; i < report.entries.size(); ++i)
     text += entryText (report.entries[i], folder, i);
   return text + "<script>" + kPageScript + "</script>\n</body>\n</html>\n";
+}
+
+bool
+isHtmlReport (const std::string& page)
+{
+  return page.find (kGenerator) != std::string::npos;
 }
 
 void

@@ -50,6 +50,12 @@ struct FlowErrors {
 FlowErrors
 flowErrors (const cv::Mat& flow, const cv::Mat& truth, const cv::Mat& mask);
 
+/** \brief End-point error of every pixel, as flowErrors() counts it.
+ * \return CV_32FC1, pixels; NaN where the truth is unknown
+ * \throws InvalidInput for other types or sizes that differ */
+cv::Mat
+endPointErrors (const cv::Mat& flow, const cv::Mat& truth);
+
 /** \brief Errors of displacements over a set of points; all NaN when it is empty. */
 struct SceneFlowErrors {
   long points{0};   ///< scored: in the mask, with known truth

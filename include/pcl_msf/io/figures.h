@@ -70,11 +70,6 @@ tintedOverlay (const cv::Mat& first, const cv::Mat& second);
 cv::Mat
 flowPicture (const cv::Mat& flow, double maximum = 0.0);
 
-/** \brief Distance between two flows, pixels. \return CV_32FC1, NaN where either is
- * unknown */
-cv::Mat
-flowError (const cv::Mat& flow, const cv::Mat& truth);
-
 /** \brief Connections between segments over an image: lines between their centroids,
  * green where they move together (weight at least 0.95, as in motion groups), yellow
  * where loosely (at least 0.5), red where the connection is broken; with a legend

@@ -51,6 +51,10 @@ struct HtmlReport {
 std::string
 htmlPage (const HtmlReport& report, const std::string& folder);
 
+/** \brief Did htmlPage() make this text? */
+bool
+isHtmlReport (const std::string& page);
+
 /** \brief Writes `htmlPage` to a file. \throws IoError */
 void
 writeHtmlReport (const std::string& path, const HtmlReport& report);
@@ -62,9 +66,14 @@ writeHtmlReport (const std::string& path, const HtmlReport& report);
 HtmlTable
 readCsvTable (const std::string& path);
 
-/** \brief An entry from a folder that pcl_msf_scene_flow wrote: the numbers of its
- * report.json and the pictures that are in it. \throws IoError without a report.json or
- * when that is damaged */
+/** \brief Entries from a folder that pcl_msf_scene_flow wrote, one for each reference
+ * frame: the numbers of its report and the pictures about it; pictures without a frame
+ * in their names, as pcl_msf_render makes them, come with the first. \throws IoError
+ * without a report.json or when that is damaged */
+std::vector<HtmlEntry>
+entriesOfFolder (const std::string& folder);
+
+/** \brief The first of entriesOfFolder(). */
 HtmlEntry
 entryOfFolder (const std::string& folder);
 

@@ -41,6 +41,14 @@ withoutSlash (const std::string& path)
   return clean.has_filename() ? clean : clean.parent_path();
 }
 
+/** Not a recording: hidden, or results that the project's tool has written there. */
+bool
+isNoRecording (const std::string& path)
+{
+  return lastName (path).front() == '.' ||
+         isFile (inside (path, ".pcl_msf_scene_flow"));
+}
+
 void
 collect (const std::string& path,
          const std::function<bool (const std::string&)>& predicate,
@@ -54,7 +62,8 @@ collect (const std::string& path,
   if (deeper == 0)
     return;
   for (const std::string& name : foldersIn (path))
-    collect (inside (path, name), predicate, deeper - 1, found);
+    if (!isNoRecording (inside (path, name)))
+      collect (inside (path, name), predicate, deeper - 1, found);
 }
 
 } // namespace
