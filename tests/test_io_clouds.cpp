@@ -205,13 +205,15 @@ TEST_F (CloudDialects, SaysWhichFieldsHoldNoColour)
 TEST_F (CloudDialects, AByteOrderMarkIsNoPartOfTheHeader)
 {
   pcl::PCDWriter().writeASCII (folder_ ("plain.pcd"), wall<pcl::PointXYZ>());
-  for (const std::string& bytes :
-       {readFile (folder_ ("plain.pcd")),
-        HandMadeCloud ("ring", "2", "U", "1").points<std::uint16_t> ({3}).bytes()}) {
-    writeFile (folder_ ("mark.pcd"), "\xEF\xBB\xBF" + bytes);
-    const io::RgbdImages images = io::readCloudImages (folder_ ("mark.pcd"), kCamera);
-    EXPECT_NEAR (images.depth.at<float> (29, 39), 2.0F, 1e-5);
-  }
+  writeFile (folder_ ("mark.pcd"), "\xEF\xBB\xBF" + readFile (folder_ ("plain.pcd")));
+  const io::RgbdImages images = io::readCloudImages (folder_ ("mark.pcd"), kCamera);
+  EXPECT_NEAR (images.depth.at<float> (29, 39), 2.0F, 1e-5);
+  const HandMadeCloud binary =
+      HandMadeCloud ("ring", "2", "U", "1").points<std::uint16_t> ({3});
+  writeFile (folder_ ("edited.pcd"), "\xEF\xBB\xBF" + binary.bytes());
+  expectIoError ([&] { io::readOrganizedCloud (folder_ ("edited.pcd")); },
+                 "edited.pcd",
+                 "encoding");
 }
 
 TEST_F (CloudDialects, MillimetresBecomeMetres)

@@ -154,6 +154,10 @@ checkPcdHeader (const std::string& path)
                    std::to_string (width * height) + "; the header is damaged");
   const PointSize point = pointSize (file, header);
   const std::string& data = header.at ("DATA")[0];
+  if (begin > 0 && data != "ascii")
+    file.fail ("encoding",
+               "a byte order mark stands before binary data; give the file as it was "
+               "before a text editor saved it");
   if (data == "binary_compressed") {
     checkPacked (file, points * point.bytes);
     return begin;
