@@ -214,8 +214,8 @@ otherFrames ()
           {"upside down", flip (-1, -1, 1), here, "x and y are flipped"},
           {"z back", flip (1, 1, -1), here, "z is mirrored"},
           {"body", body, here, "x is forward, y is left, z is up"},
-          {"robot", body, {0.1f, 0, 1.2f}, "z is up; the camera is at (0.1, "},
-          {"pitch", down, here, "rotated by 40.1 degrees about (1.0, 0.0, 0.0)"},
+          {"robot", body, {0.1f, 0, 1.2f}, "z is up; the camera is at (0.1, 0, 1.2)"},
+          {"pitch", down, here, "rotated by 40.1 degrees about (1, 0, 0)"},
           {"mast", down, {0, 0, 1.5f}, "; the camera is at ("},
           {"map",
            flip (1, 1, 1),
@@ -223,9 +223,9 @@ otherFrames ()
            "moved, to a map's frame perhaps: the "
            "camera is at (1, "},
           {"odometry",
-           turn (0.02f, Eigen::Vector3f::UnitY()),
-           {0.1f, 0, 0},
-           "rotated by 1.1 degrees"}};
+           turn (0.2f, Eigen::Vector3f::UnitY()),
+           {0.5f, 0, 0},
+           "rotated by 11.5 degrees about (0, 1, 0)"}};
 }
 
 TEST (CloudConversions, CloudsOfAnotherFrameSayWhichOne)

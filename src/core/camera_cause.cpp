@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cmath>
-#include <iomanip>
 #include <sstream>
 #include <vector>
 
@@ -84,6 +83,22 @@ axesFault (const Eigen::Matrix3d& axes)
   return "this is not the optical frame: " + axesText (axes) + mirrored;
 }
 
+/** To a fraction of 1; never -0. */
+double
+rounded (double value, double parts)
+{
+  return std::round (value * parts) / parts + 0.0;
+}
+
+std::string
+vectorText (const Eigen::Vector3d& vector, double parts)
+{
+  std::ostringstream text;
+  text << "(" << rounded (vector.x(), parts) << ", " << rounded (vector.y(), parts)
+       << ", " << rounded (vector.z(), parts) << ")";
+  return text.str();
+}
+
 /** The camera's place in the cloud's frame; empty when it is the origin. */
 std::string
 offsetText (const CloudPose& pose, double distance)
@@ -91,11 +106,7 @@ offsetText (const CloudPose& pose, double distance)
   const Eigen::Vector3d place = -pose.optical_from_cloud.transpose() * pose.offset;
   if (place.norm() * pose.camera.fx < kTinyPixels * distance)
     return {};
-  std::ostringstream text;
-  text.precision (3);
-  text << "the camera is at (" << place.x() << ", " << place.y() << ", " << place.z()
-       << ") m of the cloud's frame";
-  return text.str();
+  return "the camera is at " + vectorText (place, 1000.0) + " m of the cloud's frame";
 }
 
 /** A typical distance of the points. */
@@ -120,11 +131,10 @@ turnFault (const Eigen::Matrix3d& optical_from_cloud)
   if (optical_from_cloud.determinant() < 0.0)
     return "the cloud is mirrored and rotated against the optical frame";
   const Eigen::AngleAxisd turn (Eigen::Matrix3d (optical_from_cloud.transpose()));
-  const Eigen::Vector3d axis = turn.axis();
   std::ostringstream text;
-  text << std::fixed << std::setprecision (1) << "the cloud is rotated by "
-       << turn.angle() * 180.0 / M_PI << " degrees about (" << axis.x() << ", "
-       << axis.y() << ", " << axis.z() << ") against the optical frame";
+  text << "the cloud is rotated by " << rounded (turn.angle() * 180.0 / M_PI, 10.0)
+       << " degrees about " << vectorText (turn.axis(), 10.0)
+       << " against the optical frame";
   return text.str();
 }
 
@@ -192,9 +202,9 @@ causeOfMisfit (const cv::Mat& points, const PinholeCamera* camera)
 {
   const CloudPose pose = likelyPose (points);
   if (!(pose.error <= kExplained))
-    return "no pinhole camera sees them so, in whatever frame (a spinning lidar, a "
-           "fisheye or an unrectified image?); give a rectified image's cloud in the "
-           "camera's optical frame (x right, y down, z forward)";
+    return "this is no pinhole image in a camera's optical frame (x right, y down, z "
+           "forward), and the points don't tell why: a spinning lidar, a fisheye, an "
+           "unrectified image, a plane that was moved?";
   const std::string fault = poseFault (pose, typicalDistance (points));
   if (!fault.empty())
     return fault + kTransformBack;

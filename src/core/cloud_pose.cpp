@@ -19,10 +19,11 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::infinity();
 constexpr int kSamplesPerSide = 80; // of the image: 6400 points tell a pose
 constexpr double kInFront = 0.9;    // of the points, for an axis to be the forward one
-constexpr int kRefits = 5;
+constexpr int kRefits = 20;
+constexpr double kExact = 0.01;        // pixels, an error as good as none
 constexpr double kSquarePixels = 2.0;  // largest fx / fy, either way
 constexpr double kRightAngle = 0.05;   // largest cosine between right and down
-constexpr double kOnePoseOnly = 1e-10; // least second eigenvalue, of the largest
+constexpr double kOnePoseOnly = 1e-12; // least second eigenvalue, of the largest
 
 struct PixelPoint {
   Eigen::Vector2d pixel;
@@ -126,23 +127,24 @@ struct Normalization {
   }
 };
 
-/** The 3x4 matrix that takes points to pixels, by linear least squares; zero when the
- * points leave it open. pcl::estimateProjectionMatrix sums unscaled floats, which loses
- * the offset of a cloud far from the origin. */
+/** The 3x4 matrix that takes points to pixels, by weighted linear least squares; zero
+ * when the points leave it open. pcl::estimateProjectionMatrix sums unscaled floats,
+ * which loses the offset of a cloud far from the origin. */
 Projection
-fitProjection (const PixelPoints& samples)
+fitProjection (const PixelPoints& samples, const std::vector<double>& weights)
 {
   const Normalization<2> flat (samples, [] (const PixelPoint& s) { return s.pixel; });
   const Normalization<3> space (samples, [] (const PixelPoint& s) { return s.point; });
   Eigen::Matrix<double, 12, 12> sum = Eigen::Matrix<double, 12, 12>::Zero();
-  for (const PixelPoint& s : samples) {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const PixelPoint& s = samples[i];
     const Eigen::Vector2d uv = flat.scale * (s.pixel - flat.mean);
     Eigen::Vector4d p;
     p << space.scale * (s.point - space.mean), 1.0;
     Eigen::Matrix<double, 12, 2> rows = Eigen::Matrix<double, 12, 2>::Zero();
     rows.col (0) << p, Eigen::Vector4d::Zero(), -uv.x() * p;
     rows.col (1) << Eigen::Vector4d::Zero(), p, -uv.y() * p;
-    sum += rows * rows.transpose();
+    sum += weights[i] * (rows * rows.transpose());
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 12, 12>> eigen (sum);
   if (!(eigen.eigenvalues()[1] > kOnePoseOnly * eigen.eigenvalues()[11]))
@@ -187,21 +189,18 @@ decompose (Projection projection, const PixelPoints& samples, cv::Size size)
   return pose;
 }
 
-/** The half of the points that the projection explains best. */
-PixelPoints
-betterHalf (const PixelPoints& samples, const Projection& projection)
+/** Weights of the least absolute error: wild points have little, and a plane that
+ * holds most of the points does not outvote the others, as trimming lets it. */
+std::vector<double>
+absoluteWeights (const PixelPoints& samples, const Projection& projection)
 {
-  std::vector<double> errors;
+  std::vector<double> weights;
   for (const PixelPoint& s : samples) {
     const Eigen::Vector3d p = projection * s.point.homogeneous();
-    errors.push_back (p.z() != 0.0 ? (p.hnormalized() - s.pixel).norm() : kNone);
+    const double error = (p.hnormalized() - s.pixel).norm();
+    weights.push_back (error < kNone ? 1.0 / (error + kExact) : 0.0);
   }
-  const double limit = medianOf (errors);
-  PixelPoints kept;
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    if (errors[i] <= limit)
-      kept.push_back (samples[i]);
-  return kept;
+  return weights;
 }
 
 } // namespace
@@ -226,13 +225,13 @@ CloudPose
 poseByProjection (const cv::Mat& points)
 {
   const PixelPoints samples = samplePoints (points);
-  PixelPoints kept = samples;
+  std::vector<double> weights (samples.size(), 1.0);
   Projection projection = Projection::Zero();
   for (int i = 0; i < kRefits; ++i) {
-    projection = fitProjection (kept);
+    projection = fitProjection (samples, weights);
     if (projection.isZero (0.0) || !projection.allFinite())
       return noPose();
-    kept = betterHalf (samples, projection);
+    weights = absoluteWeights (samples, projection);
   }
   return decompose (projection, samples, points.size());
 }

@@ -26,8 +26,8 @@ struct CloudPose {
 CloudPose
 poseByAxes (const cv::Mat& points);
 
-/** \brief Any rotation and offset: the direct linear transformation, refitted to the
- * better half of the points. No answer for points in one plane, which fix none. */
+/** \brief Any rotation and offset: the direct linear transformation of the least
+ * absolute error. No answer for points in one plane, which fix none. */
 CloudPose
 poseByProjection (const cv::Mat& points);
 
