@@ -253,6 +253,28 @@ TEST (Registration, TellsWhatTheDepthLimitsDrop)
   EXPECT_THAT (printed (450.0f, 1000.0), HasSubstr ("millimetres?"));
 }
 
+TEST (Registration, TheLeastSizesAreRegistered)
+{
+  const Cloud::Ptr reference = RigidPair::reference();
+  const Cloud::Ptr current = RigidPair::current();
+  const auto crop = [] (const Cloud& cloud, cv::Size size) {
+    auto part = pcl::make_shared<Cloud> (size.width, size.height);
+    for (int v = 0; v < size.height; ++v)
+      for (int u = 0; u < size.width; ++u)
+        (*part) (u, v) = cloud (u, v);
+    return part;
+  };
+  for (const cv::Size size : {cv::Size (12, 12), {12, 120}, {160, 13}, {25, 47}}) {
+    Registration registration;
+    registration.setInputSource (crop (*reference, size));
+    registration.setInputTarget (crop (*current, size));
+    Cloud output;
+    registration.align (output);
+    EXPECT_FALSE (registration.getSceneFlow().displacement.empty())
+        << size << registration.getReport().message;
+  }
+}
+
 TEST (Registration, RecoversAfterBadInput)
 {
   Registration registration;

@@ -73,7 +73,7 @@ checkedDepth (const cv::Mat& points,
                         cv::countNonZero (depth < 0.0) > 0 &&
                         !estimateCamera (points, camera, &cause);
     throw InvalidInput ("no point of the " + name +
-                        " has a valid depth: z must be positive, in metres; " + why +
+                        " has a valid depth (z must be positive, in metres): " + why +
                         (behind ? "; " + cause : std::string()));
   }
   const std::string dropped = droppedDepth (depth, parameters);
@@ -104,8 +104,8 @@ requireCamera (const std::vector<CloudImages>& clouds,
   std::string why;
   if (!camera.isValid (size.width, size.height, &why))
     throw InvalidInput (why + ", by setCamera");
-  const std::string which = given ? " is no image of the camera that is set, "
-                                    "give clouds of one camera in its own frame: "
+  const std::string which = given ? " is no image of the camera in use, give "
+                                    "clouds of one camera in its optical frame: "
                                   : " was not taken by the camera estimated from the "
                                     "source, give clouds of one camera: ";
   for (std::size_t k = 0; k < clouds.size(); ++k)

@@ -84,8 +84,7 @@ hasDepth (const cv::Mat& depth, const FrameParameters& parameters, std::string* 
   else if (range.positive == 0 && range.most == 0.0f && range.least == 0.0f)
     text << "it is 0 everywhere";
   else if (range.positive == 0)
-    text << "it is " << range.least << " to " << range.most
-         << ", and must be positive before the camera";
+    text << "it is " << range.least << " to " << range.most << ", behind the camera";
   else
     text << "it is " << range.least << " to " << range.most << ", outside "
          << limitsText (parameters) << remedy (range, parameters);
