@@ -69,8 +69,45 @@ TEST (CloudConversions, IntensitiesShareOneUnit)
   EXPECT_EQ (normalized (0.25f, 1.0f), std::make_pair (0.25f, 1.0f));
   EXPECT_EQ (normalized (0.0f, 255.0f), std::make_pair (0.0f, 1.0f));
   EXPECT_EQ (normalized (63.75f, 0.0f), std::make_pair (0.25f, 0.0f));
-  EXPECT_EQ (normalized (500.0f, 1000.0f), std::make_pair (0.5f, 1.0f));
+  EXPECT_EQ (normalized (500.0f, 1023.0f), std::make_pair (500.0f / 1023.0f, 1.0f));
+  EXPECT_EQ (normalized (70000.0f, 65535.0f).second, 65535.0f / 131071.0f);
+  EXPECT_EQ (normalized (0.5f, 1.5f), std::make_pair (0.25f, 0.75f));
   EXPECT_EQ (normalized (-3.0f, 1.0f), std::make_pair (0.0f, 1.0f));
+  EXPECT_EQ (normalized (NAN, INFINITY), std::make_pair (0.0f, 0.0f));
+}
+
+TEST (CloudConversions, HighlightsHaveNoSayInTheUnit)
+{
+  for (const double unit : {1.0, 255.0, 4095.0}) {
+    cv::Mat plain (30, 40, CV_32FC1, cv::Scalar (0.75 * unit));
+    plain.row (0).setTo (-1.0);
+    plain.row (1).setTo (NAN); // not measured
+    cv::Mat bright = plain.clone();
+    bright (cv::Rect (5, 5, 7, 7)).setTo (40.0 * unit);
+    EXPECT_EQ (intensityUnit ({&plain, &bright}), unit);
+    normalizeIntensity (plain, bright);
+    EXPECT_FLOAT_EQ (plain.at<float> (20, 20), 0.75f);
+    EXPECT_EQ (bright.at<float> (20, 20), plain.at<float> (20, 20));
+    EXPECT_EQ (bright.at<float> (6, 6), 1.0f);
+    EXPECT_EQ (bright.at<float> (0, 0), 0.0f);
+    EXPECT_EQ (bright.at<float> (1, 0), 0.0f);
+  }
+}
+
+TEST (CloudConversions, ImagesInTheUsualUnitsKeepTheirBits)
+{
+  cv::Mat first (30, 40, CV_32FC1);
+  cv::Mat second (30, 40, CV_32FC1);
+  for (const double top : {1.0, 255.0}) {
+    cv::randu (first, 0.0, 0.7 * top);
+    cv::randu (second, 0.0, top);
+    second.at<float> (3, 3) = static_cast<float> (top);
+    cv::Mat a = first.clone();
+    cv::Mat b = second.clone();
+    normalizeIntensity (a, b);
+    EXPECT_EQ (cv::countNonZero (a != cv::Mat (first / top)), 0);
+    EXPECT_EQ (cv::countNonZero (b != cv::Mat (second / top)), 0);
+  }
 }
 
 TEST (CloudConversions, LabelsAndNormals)
@@ -131,6 +168,148 @@ TEST (CloudConversions, CloudsThatFixNoCameraSayWhy)
     EXPECT_FALSE (why.empty());
     EXPECT_EQ (camera.fx, 1.0);
   }
+}
+
+TEST (CloudConversions, AFewWildPointsAreNotTheCamera)
+{
+  const auto cloud = RigidPair::reference();
+  PinholeCamera exact;
+  ASSERT_TRUE (estimateCamera (pointImage (*cloud), exact));
+  for (std::size_t i = 0; i < cloud->size(); i += 12) // edges, after a median filter
+    (*cloud)[i].z *= i % 24 == 0 ? 0.01f : 1.7f;
+  PinholeCamera camera;
+  ASSERT_GT (projectionError (pointImage (*cloud), exact), 10.0);
+  ASSERT_TRUE (estimateCamera (pointImage (*cloud), camera));
+  EXPECT_NEAR (camera.fx, exact.fx, 0.01);
+  EXPECT_NEAR (camera.fy, exact.fy, 0.01);
+  EXPECT_NEAR (camera.cx, exact.cx, 0.01);
+  EXPECT_NEAR (camera.cy, exact.cy, 0.01);
+  EXPECT_TRUE (fitsCamera (pointImage (*cloud), RigidPair::camera()));
+}
+
+/** A frame that users keep clouds in, and what the message must say about it. */
+struct OtherFrame {
+  const char* name;
+  Eigen::Matrix3f rotation; ///< user_from_optical
+  Eigen::Vector3f offset;
+  const char* words;
+};
+
+std::vector<OtherFrame>
+otherFrames ()
+{
+  const Eigen::Vector3f here = Eigen::Vector3f::Zero();
+  const auto turn = [] (float angle, const Eigen::Vector3f& axis) {
+    return Eigen::AngleAxisf (angle, axis).toRotationMatrix();
+  };
+  const auto flip = [] (float x, float y, float z) {
+    return Eigen::Matrix3f (Eigen::Vector3f (x, y, z).asDiagonal());
+  };
+  Eigen::Matrix3f body;
+  body << 0, 0, 1, -1, 0, 0, 0, -1, 0;
+  const Eigen::Matrix3f down = turn (0.7f, Eigen::Vector3f::UnitX());
+  return {{"mirror", flip (-1, 1, 1), here, "x is mirrored"},
+          {"y up", flip (1, -1, 1), here, "y is mirrored"},
+          {"viewer", flip (1, -1, -1), here, "y and z are flipped"},
+          {"upside down", flip (-1, -1, 1), here, "x and y are flipped"},
+          {"z back", flip (1, 1, -1), here, "z is mirrored"},
+          {"body", body, here, "x is forward, y is left, z is up"},
+          {"robot", body, {0.1f, 0, 1.2f}, "z is up; the camera is at (0.1, 0, 1.2)"},
+          {"pitch", down, here, "rotated by 40.1 degrees about (1, 0, 0)"},
+          {"mast", down, {0, 0, 1.5f}, "; the camera is at ("},
+          {"map",
+           flip (1, 1, 1),
+           {1, 0, 0},
+           "moved, to a map's frame perhaps: the "
+           "camera is at (1, "},
+          {"odometry",
+           turn (0.2f, Eigen::Vector3f::UnitY()),
+           {0.5f, 0, 0},
+           "rotated by 11.5 degrees about (0, 1, 0)"}};
+}
+
+TEST (CloudConversions, CloudsOfAnotherFrameSayWhichOne)
+{
+  for (const OtherFrame& frame : otherFrames()) {
+    SCOPED_TRACE (frame.name);
+    const auto cloud = RigidPair::reference();
+    (*cloud)[7].x = NAN;
+    for (auto& p : *cloud)
+      p.getVector3fMap() = frame.rotation * p.getVector3fMap() + frame.offset;
+    for (std::size_t i = 0; i < cloud->size(); i += 50)
+      (*cloud)[i].z += 0.3f; // an edge, filtered
+    const cv::Mat points = coordinateImage (*cloud);
+    std::string why;
+    EXPECT_FALSE (fitsCamera (points, RigidPair::camera(), &why));
+    EXPECT_THAT (why, testing::HasSubstr (frame.words));
+    EXPECT_THAT (why, testing::HasSubstr ("x right, y down, z forward"));
+    PinholeCamera camera;
+    EXPECT_FALSE (estimateCamera (points, camera, &why));
+    EXPECT_THAT (why, testing::HasSubstr (frame.words));
+  }
+}
+
+TEST (CloudConversions, AnotherCameraIsNamed)
+{
+  const cv::Mat points = coordinateImage (*RigidPair::reference());
+  const PinholeCamera own = RigidPair::camera();
+  const auto why = [&] (PinholeCamera camera) {
+    std::string text;
+    EXPECT_FALSE (fitsCamera (points, camera, &text));
+    return text;
+  };
+  EXPECT_TRUE (fitsCamera (points, {own.fx, own.fy, own.cx + 0.5, own.cy - 0.5}));
+  EXPECT_THAT (why ({2 * own.fx, 2 * own.fy, 159.5, 119.5}),
+               testing::HasSubstr ("own camera is fx 150, fy 152, cx 79.5, cy 60, 0.5 "
+                                   "times the focal length"));
+  EXPECT_THAT (why ({own.fx, 2 * own.fy, own.cx, own.cy}),
+               testing::HasSubstr ("another camera's?"));
+  EXPECT_THAT (why ({own.fx, own.fy, own.cx + 9.0, own.cy}),
+               testing::HasSubstr ("another principal point"));
+  EXPECT_THAT (why ({-own.fx, own.fy, own.cx, own.cy}),
+               testing::HasSubstr ("give focal lengths"));
+}
+
+TEST (CloudConversions, CloudsThatNoPinholeCameraSeesSaySo)
+{
+  pcl::PointCloud<pcl::PointXYZ> lidar (256, 64);
+  for (int v = 0; v < 64; ++v)
+    for (int u = 0; u < 256; ++u) {
+      const double azimuth = M_PI * (u - 127.5) / 256, elevation = 0.01 * (v - 31.5);
+      lidar (u, v).getVector3fMap() =
+          (2.0 + 0.5 * std::sin (0.05 * u) + 0.01 * v) *
+          Eigen::Vector3f (std::sin (azimuth) * std::cos (elevation),
+                           std::sin (elevation),
+                           std::cos (azimuth) * std::cos (elevation));
+    }
+  PinholeCamera camera;
+  std::string why;
+  EXPECT_FALSE (estimateCamera (coordinateImage (lidar), camera, &why));
+  EXPECT_THAT (why, testing::HasSubstr ("spinning lidar"));
+  EXPECT_FALSE (fitsCamera (coordinateImage (lidar), {160, 100, 127.5, 31.5}, &why));
+  EXPECT_THAT (why, testing::HasSubstr ("spinning lidar"));
+}
+
+TEST (CloudConversions, PointsThatAreTooFewSaySo)
+{
+  const auto full = RigidPair::reference();
+  const auto whyOf = [&] (auto keep) {
+    auto cloud = *full;
+    for (int v = 0; v < RigidPair::kHeight; ++v)
+      for (int u = 0; u < RigidPair::kWidth; ++u)
+        if (!keep (u, v))
+          cloud (u, v).z = NAN;
+    PinholeCamera camera;
+    std::string why;
+    EXPECT_FALSE (estimateCamera (coordinateImage (cloud), camera, &why));
+    return why;
+  };
+  EXPECT_THAT (whyOf ([] (int u, int) { return u == 30; }),
+               testing::HasSubstr ("lie in one column"));
+  EXPECT_THAT (whyOf ([] (int, int v) { return v == 30; }),
+               testing::HasSubstr ("lie in one row"));
+  EXPECT_THAT (whyOf ([] (int, int) { return false; }),
+               testing::HasSubstr ("no point has a depth"));
 }
 
 TEST (LazyKdTree, BuildsOnTheFirstQueryAndFindsWhatPclFinds)

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <charconv>
+#include <locale>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -53,5 +55,11 @@ fixedText (double value, int decimals)
                                   decimals);
   return {text.data(), end.ptr};
 }
+
+/** \brief A stream for messages and files: the same text in every locale. */
+class PlainStream : public std::ostringstream {
+public:
+  PlainStream () { imbue (std::locale::classic()); }
+};
 
 } // namespace pcl_msf

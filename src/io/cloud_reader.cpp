@@ -65,14 +65,17 @@ readCloudImages (const std::string& path,
   Viewpoint viewpoint;
   const pcl::PCLPointCloud2 blob = readPcd (path, &viewpoint);
   const CloudFields fields (blob, path);
-  const cv::Mat points = pointImage (*pointsOf (blob, fields));
+  const Cloud::Ptr cloud = pointsOf (blob, fields);
+  const cv::Mat points = coordinateImage (*cloud);
   RgbdImages images;
   std::string why;
+  if (camera && !fitsCamera (points, *camera, &why))
+    throw IoError (path + ": not the given camera's: " + why);
   if (camera)
     images.camera = *camera;
   else if (!estimateCamera (points, images.camera, &why))
-    throw IoError (path + ": camera: " + why + "; give the camera");
-  images.depth = depthImage (points);
+    throw IoError (path + ": camera: " + why);
+  images.depth = depthImage (pointImage (*cloud));
   if (units_per_metre != 1.0)
     images.depth /= units_per_metre;
   images.viewpoint = viewpoint;

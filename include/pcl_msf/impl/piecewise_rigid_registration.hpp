@@ -129,9 +129,9 @@ PiecewiseRigidRegistration<PointT>::makeFrames() const
 {
   std::vector<detail::CloudImages> clouds;
   for (const PointCloudTargetConstPtr& target : targets_)
-    clouds.push_back ({pointImage (*target), colorImage (*target)});
+    clouds.push_back ({coordinateImage (*target), colorImage (*target)});
   clouds.insert (clouds.begin() + reference_,
-                 {pointImage (*aligned_), colorImage (*aligned_)});
+                 {coordinateImage (*aligned_), colorImage (*aligned_)});
   return detail::makeFrames (std::move (clouds),
                              reference_,
                              camera_,

@@ -28,7 +28,8 @@ readOrganizedCloud (const std::string& path);
  *
  * \param camera of the cloud's sensor; when not given it is taken from the points
  * (estimateCamera) \param units_per_metre of x y z, > 0, e.g. 1000 for millimetres
- * \throws IoError, also when the points tell no camera */
+ * \throws IoError, also when the points tell no camera or are not an image of the given
+ * one (fitsCamera) */
 RgbdImages
 readCloudImages (const std::string& path,
                  const std::optional<PinholeCamera>& camera = {},
