@@ -112,6 +112,24 @@ checkReport (const std::string& path)
   EXPECT_EQ (report["dominant_motion"].size(), 4U);
 }
 
+TEST_F (SceneFlowTool, ACoveredLensIsNoSuccess)
+{
+  scene_.writeImages (folder_);
+  const cv::Size size (SmallScene::kWidth, SmallScene::kHeight);
+  io::writeImage (folder_ ("c1.png"), cv::Mat (size, CV_8UC3, cv::Scalar::all (20.0)));
+  io::writeDepth (
+      folder_ ("d1.png"), cv::Mat (size, CV_32FC1, cv::Scalar (0.3)), 5000.0);
+  const ToolRun done = run (imageArguments() + " --output " + folder_ ("out"));
+  EXPECT_EQ (done.status, 3);
+  EXPECT_EQ (done.errorLines(), 1) << done.err;
+  EXPECT_THAT (done.err, HasSubstr ("not converged (nothing_determined)"));
+  EXPECT_THAT (done.out, HasSubstr ("nothing_determined"));
+  const std::string report = readFile (result ("report.json"));
+  EXPECT_THAT (report, HasSubstr ("\"converged\": false"));
+  EXPECT_THAT (report, HasSubstr ("\"stop_reason\": \"nothing_determined\""));
+  EXPECT_TRUE (std::filesystem::exists (result ("flow_0_1.flo")));
+}
+
 TEST_F (SceneFlowTool, WritesEverythingFromImages)
 {
   scene_.writeImages (folder_);
