@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
+#include <opencv2/imgproc.hpp>
+
 #include "core/outcome.h"
 #include "support/room.h"
 #include <gmock/gmock.h>
@@ -30,7 +32,8 @@ expectNothingKnown (const SceneFlow& flow)
   EXPECT_STREQ (toString (flow.report.stop_reason), "nothing_determined");
   EXPECT_FALSE (flow.report.converged);
   EXPECT_THAT (flow.report.message, HasSubstr ("determined"));
-  EXPECT_EQ (cv::countNonZero (flow.flow == flow.flow), 0); // all NaN
+  EXPECT_EQ (cv::countNonZero (cv::Mat (flow.flow == flow.flow).reshape (1)),
+             0); // all NaN
   EXPECT_EQ (visiblePoints (flow), 0);
   EXPECT_EQ (flow.dominant_body, -1);
   for (const double parameter : flow.dominant_motion.parameters)
@@ -67,16 +70,21 @@ protected:
     }
     return frame (color, depth);
   }
-  /** Another room, as deep as this one. */
+  /** Another room: about as deep as this one, in other colours. */
   RgbdFrame
   otherRoom () const
   {
     test::AnalyticScene other = scene_;
-    for (test::Quad& quad : other.quads) {
+    for (test::Quad& quad : other.quads)
       quad.corner += Eigen::Vector3d (0.4, -0.2, 0.3);
-      quad.phase = 1.7 * quad.phase + 2.1;
-    }
-    return other.frame (other.render (true));
+    test::View view = other.render (true);
+    std::mt19937 random (2);
+    std::uniform_real_distribution<float> bright (0.0f, 1.0f);
+    for (int y = 0; y < view.color.rows; y += 4)
+      for (int x = 0; x < view.color.cols; x += 4)
+        view.color (cv::Rect (x, y, 4, 4)) = bright (random);
+    cv::GaussianBlur (view.color, view.color, {}, 1.0);
+    return other.frame (view);
   }
   /** Depth at every eighth pixel only. */
   RgbdFrame
@@ -144,7 +152,7 @@ TEST_F (Outcome, WhatStandsBeforeHalfOfTheSceneIsNoObjection)
   view.color (cv::Rect (0, 0, 90, scene_.height)) = 0.5f;
   const SceneFlow flow = align (reference_, scene_.frame (view));
   EXPECT_TRUE (flow.report.converged) << flow.report.message;
-  EXPECT_GT (cv::countNonZero (flow.visibility == static_cast<int> (Occluded)), 5000);
+  EXPECT_GT (cv::countNonZero (flow.visibility == static_cast<int> (Occluded)), 1000);
 }
 
 TEST_F (Outcome, AWindowAndItsMessageNameTheFrame)

@@ -15,7 +15,7 @@ constexpr float kToleranceSigmas = 5.0f; // that SegmentPixels::depth_tolerance 
 constexpr float kMadToSigma = 1.4826f;
 constexpr float kMostWidening = 3.0f;
 constexpr float kMostShare = 0.1f; // of the inverse depth: more tells no surfaces apart
-constexpr int kSurface = 3; // measurements that make one, the point's own with it
+constexpr int kSurface = 3;        // measurements that make one
 
 /** Where a moved point lands and how it compares with what the frame shows there. */
 struct Landing {
@@ -79,25 +79,70 @@ widening (const std::vector<Landing>& landings, const std::vector<float>& tolera
   return std::clamp (kToleranceSigmas * kMadToSigma * *middle, 1.0f, kMostWidening);
 }
 
-/** Do enough of the measurements around a landing agree with the point? */
-bool
-liesOnSurface (const kernel::Image& image, const Landing& landing, float tolerance)
+/** Measurements in a point's surroundings, and those of them that agree with it. */
+struct Support {
+  int measured{0};
+  int agreeing{0};
+};
+
+/** \param inverse_depth of a pixel, <= 0 or NaN: none */
+template <typename InverseDepth>
+Support
+supportOf (cv::Size size,
+           cv::Point center,
+           float expected,
+           float tolerance,
+           const InverseDepth& inverse_depth)
 {
-  const int u = static_cast<int> (std::lround (landing.at.u));
-  const int v = static_cast<int> (std::lround (landing.at.v));
-  int measured = 0;
-  int agreeing = 0;
-  for (int y = std::max (0, v - 1); y <= std::min (image.height - 1, v + 1); ++y)
-    for (int x = std::max (0, u - 1); x <= std::min (image.width - 1, u + 1); ++x) {
-      const float w = image.texels[2 * (y * image.width + x) + 1];
-      measured += w > 0.0f ? 1 : 0;
-      agreeing += w > 0.0f && std::abs (w - landing.expected) <= tolerance ? 1 : 0;
+  Support support;
+  const cv::Rect around (center.x - 1, center.y - 1, 3, 3);
+  const cv::Rect inside = around & cv::Rect ({}, size);
+  for (int y = inside.y; y < inside.y + inside.height; ++y)
+    for (int x = inside.x; x < inside.x + inside.width; ++x) {
+      const float w = inverse_depth (y, x);
+      if (!(w > 0.0f))
+        continue;
+      ++support.measured;
+      support.agreeing += std::abs (w - expected) <= tolerance ? 1 : 0;
     }
-  return agreeing >= std::min (kSurface, measured);
+  return support;
 }
 
+/** Do enough of the frame's measurements around a landing agree with the point? One
+ * that stands alone in the reference asks for no more in the frame.
+ * \param pixel of the point in the reference */
+bool
+liesOnSurface (const kernel::Image& image,
+               const Landing& landing,
+               float tolerance,
+               const cv::Mat& points,
+               int pixel)
+{
+  const cv::Point at (static_cast<int> (std::lround (landing.at.u)),
+                      static_cast<int> (std::lround (landing.at.v)));
+  const Support there = supportOf (
+      {image.width, image.height}, at, landing.expected, tolerance, [&] (int y, int x) {
+        return image.texels[2 * (y * image.width + x) + 1];
+      });
+  const int asked = std::min (kSurface, there.measured);
+  if (there.agreeing >= asked)
+    return true;
+  const cv::Point own (pixel % points.cols, pixel / points.cols);
+  const auto before = [&] (int y, int x) {
+    return 1.0f / points.at<cv::Vec3f> (y, x)[2];
+  };
+  const Support here =
+      supportOf (points.size(), own, before (own.y, own.x), tolerance, before);
+  return there.agreeing >= std::min (asked, here.agreeing);
+}
+
+/** \param pixel of the point in the reference */
 Visibility
-visibilityOf (const kernel::Image& image, const Landing& landing, float tolerance)
+visibilityOf (const kernel::Image& image,
+              const Landing& landing,
+              float tolerance,
+              const cv::Mat& points,
+              int pixel)
 {
   if (!landing.inside)
     return OutOfView;
@@ -107,8 +152,9 @@ visibilityOf (const kernel::Image& image, const Landing& landing, float toleranc
   const float behind = landing.shown - landing.expected;
   if (behind > within)
     return Occluded;
-  return behind >= -within && liesOnSurface (image, landing, within) ? Visible
-                                                                     : Unknown;
+  if (behind < -within)
+    return Unknown;
+  return liesOnSurface (image, landing, within, points, pixel) ? Visible : Unknown;
 }
 
 } // namespace
@@ -134,9 +180,12 @@ fillVisibility (const DataTerm& data, int threads, SceneFlow& result)
     const bool known = segment.status != MotionStatus::Undetermined;
     segment.visible_points = 0;
     for (int i = p.begin[k]; i < p.begin[k + 1]; ++i) {
-      const Visibility seen =
-          known ? visibilityOf (image, landings[i], wider * p.depth_tolerance[i])
-                : Unknown;
+      const Visibility seen = known ? visibilityOf (image,
+                                                    landings[i],
+                                                    wider * p.depth_tolerance[i],
+                                                    result.points,
+                                                    p.pixel[i])
+                                    : Unknown;
       result.visibility.ptr<unsigned char>()[p.pixel[i]] = seen;
       segment.visible_points += seen == Visible ? 1 : 0;
     }

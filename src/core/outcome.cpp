@@ -14,6 +14,7 @@ namespace {
 constexpr int kFewPoints = 20;      // three residuals per parameter of a pose
 constexpr double kFew = 0.02;       // share of the moved points
 constexpr double kHardlyAny = 0.15; // share of those that land on depth
+constexpr double kMostly = 0.5;     // share of the points with depth
 constexpr int kContrasts = 100;     // that say something
 constexpr double kSamePlace = 0.75; // alike: half way from chance to certainty
 
@@ -55,7 +56,8 @@ judgeOverlap (const Overlap& o)
   const double few = std::max<double> (kFewPoints, kFew * o.moved);
   if (o.landed < few)
     return {StopReason::NothingDetermined,
-            "only " + std::to_string (o.landed) + " of " + std::to_string (o.moved) +
+            "no motion could be determined: only " + std::to_string (o.landed) +
+                " of " + std::to_string (o.moved) +
                 " points land where the other frame has depth: give frames that "
                 "overlap and more depth"};
   if (o.found < few || o.found < kHardlyAny * o.landed)
@@ -87,15 +89,19 @@ judgeMotion (const RgbdFrame& reference,
              double intensity_noise,
              SceneFlow& flow)
 {
-  Judgement judgement;
-  if (isDetermined (flow))
-    judgement =
-        judgeOverlap (measureOverlap (reference, current, intensity_noise, flow));
-  else
-    judgement = {StopReason::NothingDetermined,
-                 "no segment's motion could be determined: a frame shows too little "
-                 "texture and shape (is the lens covered?), or they show nothing in "
-                 "common"};
+  const Judgement nothing{StopReason::NothingDetermined,
+                          "no segment's motion could be determined: a frame shows too "
+                          "little texture and shape (is the lens covered?), or they "
+                          "show nothing in common"};
+  Judgement judgement = nothing;
+  if (isDetermined (flow)) {
+    const Overlap overlap = measureOverlap (reference, current, intensity_noise, flow);
+    judgement = judgeOverlap (overlap);
+    // The little that seemed determined is not found either.
+    if (judgement.objection == StopReason::DifferentPlaces &&
+        overlap.moved < kMostly * overlap.points)
+      judgement = nothing;
+  }
   if (judgement.objection == StopReason::NothingDetermined)
     forgetMotion (flow);
   return judgement;

@@ -46,10 +46,12 @@ bilinear (const cv::Mat& image, float x, float y)
 void
 compareContrast (float before, float after, float least, Overlap& overlap)
 {
-  if (!(std::abs (before) > least) || !(std::abs (after) > least))
+  const float smaller = std::min (std::abs (before), std::abs (after));
+  const float larger = std::max (std::abs (before), std::abs (after));
+  if (!(smaller > least) && !(larger > 2.0f * least))
     return;
   ++overlap.contrasts;
-  overlap.alike += (before > 0.0f) == (after > 0.0f) ? 1 : 0;
+  overlap.alike += before * after > 0.0f ? 1 : 0;
 }
 
 } // namespace
@@ -67,11 +69,12 @@ measureOverlap (const RgbdFrame& reference,
   Overlap overlap;
   for (int v = 0; v < flow.flow.rows; ++v)
     for (int u = 0; u < flow.flow.cols; ++u) {
+      const auto seen = flow.visibility.at<unsigned char> (v, u);
       const cv::Vec2f& way = flow.flow.at<cv::Vec2f> (v, u);
+      overlap.points += seen != NoDepth ? 1 : 0;
       if (!std::isfinite (way[0]) || !std::isfinite (way[1]))
         continue;
       ++overlap.moved;
-      const auto seen = flow.visibility.at<unsigned char> (v, u);
       if (seen == OutOfView)
         continue;
       const float x = static_cast<float> (u) + way[0];

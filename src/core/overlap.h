@@ -9,10 +9,12 @@ namespace pcl_msf {
 
 /** \brief How much of the reference another frame shows, counted in points. */
 struct Overlap {
-  int moved{0};     ///< whose motion is known
+  int points{0};    ///< with depth
+  int moved{0};     ///< of those, whose motion is known
   int landed{0};    ///< of those, in view and where the frame has depth
   int found{0};     ///< of those, visible
-  int contrasts{0}; ///< of those, with contrast beyond the noise in both frames
+  int contrasts{0}; ///< of those, with contrast beyond the noise in both frames, or far
+                    ///< beyond it in one
   int alike{0};     ///< of those, brighter or darker than around them in both
 };
 
