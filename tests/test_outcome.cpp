@@ -125,6 +125,13 @@ TEST_F (Outcome, NoiseIsADifferentPlaceWithoutAWallOfVisiblePoints)
   }
 }
 
+TEST_F (Outcome, NoiseHasNoPlaceInAnotherFrame)
+{
+  const SceneFlow flow = align (noise (true), reference_);
+  EXPECT_EQ (flow.report.stop_reason, StopReason::DifferentPlaces);
+  EXPECT_FALSE (flow.report.converged);
+}
+
 TEST_F (Outcome, AnotherRoomIsADifferentPlaceThoughItsWallsFit)
 {
   const SceneFlow flow = align (reference_, otherRoom());

@@ -15,6 +15,7 @@ constexpr int kFewPoints = 20;      // three residuals per parameter of a pose
 constexpr double kFew = 0.02;       // share of the moved points
 constexpr double kHardlyAny = 0.15; // share of those that land on depth
 constexpr double kMostly = 0.5;     // share of the points with depth
+constexpr double kNoSurface = 0.1;  // noise as a share of the mean inverse depth
 constexpr int kContrasts = 100;     // that say something
 constexpr double kSamePlace = 0.75; // alike: half way from chance to certainty
 
@@ -25,6 +26,15 @@ isDetermined (const SceneFlow& flow)
       flow.segments.begin(), flow.segments.end(), [] (const SegmentMotion& s) {
         return s.status != MotionStatus::Undetermined;
       });
+}
+
+/** Neighbouring measurements have nothing to do with each other. */
+bool
+isNoise (const RgbdFrame& frame)
+{
+  const cv::Mat& inverse_depth = frame.levels()[0].inverse_depth;
+  const double mean = cv::mean (inverse_depth, inverse_depth > 0.0f)[0];
+  return frame.inverseDepthNoise() > kNoSurface * mean;
 }
 
 /** Nothing is known: no motion is shown. */
@@ -97,6 +107,11 @@ judgeMotion (const RgbdFrame& reference,
   if (isDetermined (flow)) {
     const Overlap overlap = measureOverlap (reference, current, intensity_noise, flow);
     judgement = judgeOverlap (overlap);
+    if (judgement.objection == StopReason::NotRun &&
+        (isNoise (reference) || isNoise (current)))
+      judgement = {StopReason::DifferentPlaces,
+                   "the frames show different places: the depth of one is noise, in "
+                   "which no surface is found"};
     // The little that seemed determined is not found either.
     if (judgement.objection == StopReason::DifferentPlaces &&
         overlap.moved < kMostly * overlap.points)
