@@ -175,7 +175,9 @@ TEST_F (SceneFlowTool, TakesLabelsFromOutsideAndGeometryAlone)
       run (" --depth " + folder_ ("d0.png") + " --depth " + folder_ ("d1.png") +
            " --camera 150,150,79.5,59.5 --depth-scale 5000 --labels " +
            folder_ ("l.png") + " --threads 1 --output " + folder_ ("out"));
-  ASSERT_EQ (done.status, 0) << done.err;
+  // All is written; geometry alone leaves surfaces that face the camera free to slide.
+  ASSERT_EQ (done.status, 3) << done.err;
+  EXPECT_THAT (done.err, HasSubstr ("nothing_determined"));
   const cv::Mat written = io::readLabels (result ("labels_0.png"));
   EXPECT_EQ (written.at<int> (65, 75), 0);
   EXPECT_EQ (written.at<int> (20, 130), 1);

@@ -15,7 +15,7 @@ constexpr float kToleranceSigmas = 5.0f; // that SegmentPixels::depth_tolerance 
 constexpr float kMadToSigma = 1.4826f;
 constexpr float kMostWidening = 3.0f;
 constexpr float kMostShare = 0.1f; // of the inverse depth: more tells no surfaces apart
-constexpr int kSurface = 3;        // measurements that make one
+constexpr int kSurface = 4;        // measurements that make one
 
 /** Where a moved point lands and how it compares with what the frame shows there. */
 struct Landing {
@@ -57,7 +57,8 @@ landingOf (const kernel::Image& image, const cv::Vec3f& moved, float tolerance)
   if (!landing.inside)
     return landing;
   landing.expected = 1.0f / moved[2];
-  landing.shown = surfaceAt (image, landing.at, tolerance);
+  landing.shown = surfaceAt (
+      image, landing.at, std::min (tolerance, kMostShare * landing.expected));
   return landing;
 }
 
