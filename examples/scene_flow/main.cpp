@@ -21,6 +21,7 @@ using namespace pcl_msf;
 using namespace pcl_msf::tool;
 
 constexpr const char* kProgram = "pcl_msf_scene_flow";
+constexpr int kNotConverged = 3; // exit status; everything was written
 
 void
 printSummary (const Outcome& outcome, const std::string& folder)
@@ -86,7 +87,8 @@ private:
   RigidPose last_; ///< world_from_camera of the last frame so far
 };
 
-void
+/** \return has it converged? */
+bool
 warnUnlessConverged (const Outcome& outcome)
 {
   const Report& report = outcome.lastFlow().report;
@@ -96,6 +98,7 @@ warnUnlessConverged (const Outcome& outcome)
                   std::to_string (outcome.indices[outcome.lastTarget()]) +
                   ": not converged (" + toString (report.stop_reason) + ")" +
                   (report.message.empty() ? "" : " ") + report.message);
+  return report.converged;
 }
 
 /** Where a run's files go, window by window. */
@@ -121,12 +124,18 @@ public:
     folder_.publish();
     if (!options_.quiet)
       printSummary (outcome, options_.output);
-    warnUnlessConverged (outcome);
+    converged_ = warnUnlessConverged (outcome) && converged_;
   }
   void
   finish ()
   {
     folder_.finish();
+  }
+  /** Has all that was written? */
+  bool
+  converged () const
+  {
+    return converged_;
   }
 
 private:
@@ -145,6 +154,7 @@ private:
   const Options& options_;
   OutputFolder folder_;
   bool trajectory_;
+  bool converged_{true};
 };
 
 /** Windows that share a frame. */
@@ -194,7 +204,7 @@ run (const Options& given)
   else
     runWindows (options, inputs, results);
   results.finish();
-  return 0;
+  return results.converged() ? 0 : kNotConverged;
 }
 
 } // namespace

@@ -6,7 +6,9 @@
 #include "core/body_merging.h"
 #include "core/dense_points.h"
 #include "core/dense_result.h"
+#include "core/dense_visibility.h"
 #include "core/hidden_segments.h"
+#include "core/outcome.h"
 #include <omp.h>
 
 #include <algorithm>
@@ -94,7 +96,7 @@ TwoFrameSolve::minimize (int iterations)
   const SolveOutcome outcome = pcl_msf::minimize (energy, solver, monitor_, state_);
   report_.initial_cost = outcome.initial;
   report_.final_cost = outcome.final;
-  report_.converged = outcome.settled();
+  report_.stop_reason = endOfSolve (outcome.settled(), outcome.failed);
 }
 
 /** Solves a level; at the two finest, segments that move as one merge. */
@@ -156,6 +158,7 @@ TwoFrameSolve::finish (SceneFlow& result)
                 scene_.threads,
                 result);
   fillPoints (data, frames_[1].camera(), solver_.blend_motions, scene_.threads, result);
+  fillVisibility (data, scene_.threads, result);
   concludeReport (result);
   result.report.result_seconds = monitor_.seconds() - before;
 }
@@ -165,21 +168,9 @@ TwoFrameSolve::concludeReport (SceneFlow& result)
 {
   report_.iterations = monitor_.iterations();
   report_.history = monitor_.history();
-  report_.stop_reason = monitor_.stopReason();
-  const bool determined = std::any_of (
-      result.segments.begin(), result.segments.end(), [] (const SegmentMotion& s) {
-        return s.status != MotionStatus::Undetermined;
-      });
-  if (report_.stop_reason != StopReason::NotRun)
-    report_.converged = false;
-  else
-    report_.stop_reason =
-        report_.converged ? StopReason::Converged : StopReason::IterationLimit;
-  if (!determined) {
-    report_.converged = false;
-    report_.message = "no segment's motion is determined: the scene shows too little "
-                      "texture and shape, or the frames show different places";
-  }
+  conclude (monitor_.stopReason(),
+            {judgeMotion (frames_[0], frames_[1], scene_.noise.intensity, result)},
+            report_);
   result.report = report_;
 }
 
