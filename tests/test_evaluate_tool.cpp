@@ -137,7 +137,11 @@ TEST_F (EvaluateTool, AKilledRunLosesNothingThatIsDone)
 TEST_F (EvaluateTool, AnInterruptedRunKeepsItsRowsAndSaysSo)
 {
   const std::string csv = folder_ ("r.csv");
-  const std::string what = kTiny + "--methods msf --jobs 2 --quiet --csv " + csv;
+  std::string much = "msf";
+  for (int i = 1; i < 200; ++i)
+    much += ",msf:iterations=" + std::to_string (i);
+  const std::string what =
+      kTiny + "--methods " + much + " --jobs 2 --quiet --csv " + csv;
   const std::string command = std::string ("bash -c '") + PCL_MSF_EVALUATE + what +
                               " & p=$!; while ! grep -q ^0, " + csv +
                               " 2>/dev/null; do sleep 0.02; done; kill $p; wait $p'";

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/dense_points.h"
 
+#include "core/parallel_for.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -137,8 +139,7 @@ fillPoints (const DataTerm& data,
   result.flow = cv::Mat (size, CV_32FC2, cv::Scalar::all (nan));
   result.visibility = cv::Mat (size, CV_8UC1, cv::Scalar (NoDepth));
   const auto influences = findInfluences (result, blend);
-#pragma omp parallel for schedule(dynamic, 8) num_threads(threads)
-  for (int k = 0; k < p.segments(); ++k) {
+  parallelFor (threads, p.segments(), 8, [&] (int k) {
     const bool known = result.segments[k].status != MotionStatus::Undetermined;
     for (int i = p.begin[k]; i < p.begin[k + 1]; ++i) {
       const int x = p.pixel[i] % size.width;
@@ -156,7 +157,7 @@ fillPoints (const DataTerm& data,
             y,
             result);
     }
-  }
+  });
 }
 
 } // namespace pcl_msf

@@ -4,6 +4,7 @@
 
 #include "core/body_noise.h"
 #include "core/exposure.h"
+#include "core/parallel_for.h"
 
 namespace pcl_msf {
 
@@ -26,8 +27,7 @@ MultiFrameLevel::MultiFrameLevel (const MultiFrameScene& scene,
 , focal_length_ (scene.frames[scene.pairs.reference()].levels()[level].camera.fx)
 {
   const int count = static_cast<int> (scene.frames.size());
-#pragma omp parallel for schedule(dynamic, 1) num_threads(scene.threads)
-  for (int f = 0; f < count; ++f) {
+  parallelFor (scene.threads, count, 1, [&] (int f) {
     FrameLevel frame = scene.frames[f].levels()[level];
     if (!frame.intensity.empty())
       frame.intensity = correctIntensity (frame, scene.exposure[f], scene.falloff);
@@ -41,7 +41,7 @@ MultiFrameLevel::MultiFrameLevel (const MultiFrameScene& scene,
       probes_ = groupPixels (frame, labels[f], scene.segments, options);
     else
       textures_[f] = std::make_unique<Texture> (frame);
-  }
+  });
   for (const int p : scene.used) {
     const FramePairs::Pair& pair = scene.pairs[p];
     data_[p] = std::make_unique<DataTerm> (pixels_[pair.from],

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/pose_proposals.h"
 
+#include "core/parallel_for.h"
+
 #include <algorithm>
 
 namespace pcl_msf {
@@ -51,9 +53,9 @@ PoseProposals::lookWhoIsSeen (const MotionState& state)
   const int segments = static_cast<int> (own_.size());
   present_ = std::vector<UnpackedPose> (state.poses.begin(), state.poses.end());
   seen_.assign (segments, 0);
-#pragma omp parallel for schedule(dynamic, 8) num_threads(threads_)
-  for (int k = 0; k < segments; ++k)
+  parallelFor (threads_, segments, 8, [&] (int k) {
     seen_[k] = energy_.data().probe (k, state.poseOf (k)).hidden < kMostlyHidden;
+  });
 }
 
 bool
@@ -94,10 +96,9 @@ PoseProposals::run (int rounds, MotionState& state)
   for (int round = 0; round < rounds; ++round) {
     lookWhoIsSeen (state);
     std::vector<RigidPose> next = state.poses;
-    int changes = 0;
-#pragma omp parallel for schedule(dynamic, 8) num_threads(threads_) reduction(+ : changes)
-    for (int k = 0; k < segments; ++k)
-      changes += improve (k, state, round == 0, next[k]) ? 1 : 0;
+    const int changes = parallelSum (threads_, segments, 8, [&] (int k) {
+      return improve (k, state, round == 0, next[k]) ? 1 : 0;
+    });
     state.poses.swap (next);
     total += changes;
     if (changes == 0)

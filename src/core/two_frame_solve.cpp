@@ -7,7 +7,7 @@
 #include "core/dense_points.h"
 #include "core/dense_result.h"
 #include "core/hidden_segments.h"
-#include <omp.h>
+#include "core/parallel_for.h"
 
 #include <algorithm>
 
@@ -22,12 +22,6 @@ constexpr double kModelError = 0.15; // pixels that rigid segments leave unexpla
 constexpr double kRelativeDepthNoise = 0.003; // of inverse depth, beside the noise
 constexpr int kLaterRounds = 2;
 constexpr int kLastIterations = 4; // after the last merge
-
-int
-threadCount (unsigned wanted)
-{
-  return wanted > 0 ? static_cast<int> (wanted) : omp_get_max_threads();
-}
 
 } // namespace
 

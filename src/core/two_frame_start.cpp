@@ -34,7 +34,7 @@ TwoFrameSolve::start (const RigidPose& guess)
   };
   FlowHypotheses flow;
   if (solver_.flow_proposals && reference_.hasIntensity()) {
-    flow = lift (estimateOpticalFlow (reference_, current_));
+    flow = lift (estimateOpticalFlow (reference_, current_, threads_));
     change_ = fitBrightnessChange (flow.pairs_reference, flow.pairs_current);
     for (float& intensity : level.probes.intensity)
       intensity = change_.gain * intensity + change_.offset;
@@ -48,7 +48,8 @@ TwoFrameSolve::start (const RigidPose& guess)
   wanted = unexplained (level);
   if (solver_.flow_proposals &&
       std::find (wanted.begin(), wanted.end(), 1) != wanted.end())
-    propose (level, lift (estimateDepthFlow (reference_, current_)), kStartRounds);
+    propose (
+        level, lift (estimateDepthFlow (reference_, current_, threads_)), kStartRounds);
 }
 
 /** Lets segments jump to the common poses, their flow's and their neighbours'. */

@@ -109,7 +109,7 @@ PiecewiseRigidRegistration<PointT>::cutSegments (const RgbdFrame& reference) con
     SegmentationParameters cut = segmentation_;
     if (rigid_)
       cut.method = SegmentationMethod::Single;
-    segments = Oversegmentation::fromFrame (reference, cut);
+    segments = Oversegmentation::fromFrame (reference, cut, getNumberOfThreads());
   }
   if (this->indices_->size() == this->input_->size())
     return segments;
