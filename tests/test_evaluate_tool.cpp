@@ -139,7 +139,7 @@ TEST_F (EvaluateTool, AnInterruptedRunKeepsItsRowsAndSaysSo)
   const std::string csv = folder_ ("r.csv");
   std::string much = "msf";
   for (int i = 1; i < 200; ++i)
-    much += ",msf:iterations=" + std::to_string (i);
+    much += ",msf:max-iterations=" + std::to_string (i);
   const std::string what =
       kTiny + "--methods " + much + " --jobs 2 --quiet --csv " + csv;
   const std::string command = std::string ("bash -c '") + PCL_MSF_EVALUATE + what +

@@ -26,9 +26,16 @@ public:
   {
     static SharedLoop* present = new SharedLoop;
     [[maybe_unused]] static const int registered =
-        pthread_atfork (nullptr, nullptr, [] { present = new SharedLoop; });
+        pthread_atfork (nullptr, nullptr, [] {
+          present = new SharedLoop;
+          forked = true;
+        });
     return *present;
   }
+
+  /** \brief Was this process forked from one that had used the above? OpenCV's threads
+   * are not in it then. */
+  static inline bool forked{false};
 
   void
   run (const std::function<void()>& f)
@@ -116,7 +123,9 @@ inThisThread (const std::function<void()>& f)
 void
 withThreads (int threads, const std::function<void()>& f)
 {
-  if (threads <= 1 || ThreadTeam::busyHere() || ThreadTeam::ofThisThread().isHeldUp())
+  SharedLoop::ofThisProcess(); // notices forks from now on
+  if (threads <= 1 || SharedLoop::forked || ThreadTeam::busyHere() ||
+      ThreadTeam::ofThisThread().isHeldUp())
     inThisThread (f);
   else
     f();

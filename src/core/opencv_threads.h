@@ -20,8 +20,9 @@ namespace pcl_msf {
 void
 inThisThread (const std::function<void()>& f);
 
-/** \brief The same with one thread, and when this thread's helpers are held up by other
- * programs; otherwise calls f, and OpenCV uses its threads. */
+/** \brief The same with one thread, in a forked process (OpenCV's threads stayed
+ * behind), and when this thread's helpers are held up by other programs; otherwise
+ * calls f, and OpenCV uses its threads. */
 void
 withThreads (int threads, const std::function<void()>& f);
 

@@ -4,6 +4,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "core/opencv_threads.h"
+
 #include <algorithm>
 #include <iomanip>
 #include <locale>
@@ -34,7 +36,7 @@ asBgr (const cv::Mat& image, const cv::Size& size)
              (image.channels() == 1 || image.channels() == 3));
   cv::Mat bgr;
   if (image.channels() == 1)
-    cv::cvtColor (image, bgr, cv::COLOR_GRAY2BGR);
+    inThisThread ([&] { cv::cvtColor (image, bgr, cv::COLOR_GRAY2BGR); });
   else
     image.copyTo (bgr);
   return bgr;
@@ -46,7 +48,7 @@ asGray (const cv::Mat& image)
   if (image.channels() == 1)
     return image;
   cv::Mat gray;
-  cv::cvtColor (image, gray, cv::COLOR_BGR2GRAY);
+  inThisThread ([&] { cv::cvtColor (image, gray, cv::COLOR_BGR2GRAY); });
   return gray;
 }
 
