@@ -6,6 +6,7 @@
 #include <pthread.h>
 
 #include <csignal>
+#include <ctime>
 #include <memory>
 #include <system_error>
 
@@ -17,7 +18,7 @@ constexpr unsigned kPlace = 1U << 16;                   // in the gate's upper h
 constexpr unsigned kInside = kPlace - 1U;               // its lower half
 constexpr auto kAwake = std::chrono::microseconds (50); // before a thread sleeps
 constexpr auto kLongWait = std::chrono::milliseconds (1);
-constexpr int kAlone = 20; // times the wait that follow alone: little time is waited
+constexpr int kAlone = 20; // times the time lost that follow alone: little is lost
 constexpr int kMostHelpers = 1023;
 
 thread_local bool busy_here = false;
@@ -56,6 +57,15 @@ public:
 private:
   sigset_t before_{};
 };
+
+/** How long this thread has run on a processor. */
+std::chrono::nanoseconds
+processorTime ()
+{
+  timespec time{};
+  clock_gettime (CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::seconds (time.tv_sec) + std::chrono::nanoseconds (time.tv_nsec);
+}
 
 /** Looks for a while whether something came true, before the thread goes to sleep. */
 template <typename Condition>
@@ -123,6 +133,7 @@ void
 ThreadTeam::run (const Loop& loop, int threads)
 {
   const Clock::time_point begin = Clock::now();
+  const Clock::duration processor = processorTime();
   const int parts = (loop.n + loop.chunk - 1) / loop.chunk;
   const int helpers =
       begin < alone_until_ ? 0 : std::min ({threads - 1, parts - 1, kMostHelpers});
@@ -136,9 +147,11 @@ ThreadTeam::run (const Loop& loop, int threads)
   work();
   busy_here = false;
   if (helpers > 0) {
-    const Clock::time_point worked = Clock::now();
+    const Clock::duration work = Clock::now() - begin;
+    const Clock::duration stopped = work - (processorTime() - processor);
     close();
-    judgeWait (worked - begin, Clock::now() - worked);
+    const Clock::duration wait = Clock::now() - begin - work;
+    judge (work, stopped, wait);
   }
   if (error_)
     std::rethrow_exception (error_);
@@ -190,12 +203,15 @@ ThreadTeam::close()
   caller_sleeps_ = false;
 }
 
-/** A wait that is longer than the work before it was for a helper that did not run. */
+/** Time in which this thread was stopped, or waited: a wait that is longer than the
+ * work before it was for a helper that was stopped. Other programs want the processors.
+ */
 void
-ThreadTeam::judgeWait (Clock::duration work, Clock::duration wait)
+ThreadTeam::judge (Clock::duration work, Clock::duration stopped, Clock::duration wait)
 {
-  if (wait > kLongWait && wait > work)
-    alone_until_ = Clock::now() + kAlone * wait;
+  const Clock::duration lost = stopped + (wait > work ? wait : Clock::duration (0));
+  if (lost > kLongWait)
+    alone_until_ = Clock::now() + kAlone * lost;
 }
 
 void

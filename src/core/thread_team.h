@@ -21,9 +21,9 @@ namespace pcl_msf {
  * parent's threads: the first loop in it starts new ones.
  *
  * A helper joins a loop if it wakes in time; the caller does not wait for those that do
- * not. Where it has to wait long for one that works (whose processor runs something
- * else), it works alone for a while: beside busy programs, more threads then cost
- * little more than one.
+ * not. Where the caller is stopped, or waits long for a helper that is (as other
+ * programs want the processors), it works alone for a while: beside busy programs, more
+ * threads then cost little more than one.
  */
 class ThreadTeam {
 public:
@@ -55,7 +55,7 @@ public:
          threads);
   }
 
-  /** \brief Has this thread had to wait for its helpers lately? */
+  /** \brief Does the caller work alone for now, beside busy programs? */
   bool
   isHeldUp () const;
 
@@ -78,7 +78,7 @@ private:
   void
   close ();
   void
-  judgeWait (Clock::duration work, Clock::duration wait);
+  judge (Clock::duration work, Clock::duration stopped, Clock::duration wait);
   void
   help ();
   bool
