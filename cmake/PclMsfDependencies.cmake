@@ -12,7 +12,7 @@ pcl_msf_require (Eigen3 libeigen3-dev)
 pcl_msf_require (PCL libpcl-dev COMPONENTS common kdtree search)
 pcl_msf_require (Ceres libceres-dev)
 pcl_msf_require (OpenCV libopencv-dev COMPONENTS core imgproc video imgcodecs)
-pcl_msf_require (OpenMP g++ COMPONENTS CXX)
+pcl_msf_require (Threads libc6-dev)
 find_package (OpenCV QUIET COMPONENTS core imgproc video imgcodecs ximgproc
   OPTIONAL_COMPONENTS optflow)
 if (NOT OpenCV_ximgproc_FOUND AND NOT TARGET opencv_ximgproc)

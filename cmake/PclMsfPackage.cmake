@@ -24,7 +24,7 @@ install (FILES
 # A static library does not bring its own dependencies along: pkg-config has to name
 # them in Libs, a shared one keeps them private.
 set (pc_dependencies "-lopencv_ximgproc -lopencv_video -lopencv_imgproc -lceres \
--lglog -lpcl_features -fopenmp")
+-lglog -lpcl_features -pthread")
 if (BUILD_SHARED_LIBS)
   set (pc_libs_private "${pc_dependencies}")
   set (pc_dependencies "")

@@ -39,6 +39,117 @@ bumps (double phase)
   return level;
 }
 
+/** Every instruction set's kernel against the one that any processor runs. */
+class Kernels : public testing::TestWithParam<double> {
+protected:
+  Kernels()
+  {
+    cv::Mat labels (kSize, kSize, CV_32SC1, cv::Scalar (0));
+    pixels_ = test::pointsOf (bumps (0.3), labels, 1, NoiseModel{}, 0.4);
+    pixels_.brightness_scale[5] = 0.0f; // neither of these has both residuals
+    pixels_.icp_scale[6] = 0.0f;
+    offset_.assign (pixels_.pixel.size(), 0.0f);
+    active_.assign (pixels_.pixel.size(), 0);
+  }
+
+  /** The data of all points but the last `cut`, which the sets' widths do not divide.
+   */
+  kernel::Points
+  points (int cut) const
+  {
+    const SegmentPixels& p = pixels_;
+    return {p.x.data(),
+            p.y.data(),
+            p.z.data(),
+            p.intensity.data(),
+            p.nx.data(),
+            p.ny.data(),
+            p.nz.data(),
+            p.brightness_scale.data(),
+            p.icp_scale.data(),
+            p.depth_tolerance.data(),
+            static_cast<int> (p.pixel.size()) - cut};
+  }
+
+  /** All sums of a kernel's functions, one after the other. */
+  std::vector<double>
+  sumsOf (const kernel::Kernel& kernel, int cut)
+  {
+    const kernel::Motion motion = turned (GetParam());
+    const kernel::Rules rules = makeRules ({}, pixels_);
+    const kernel::Correspondences state{offset_.data(), active_.data()};
+    std::vector<double> all;
+    for (kernel::Sweep* sweep : {kernel.linearize, kernel.linearizeKept, kernel.cost}) {
+      kernel::Sums sums{};
+      sweep (points (cut), texture_.image(), motion, rules, state, sums);
+      append (sums, all);
+    }
+    kernel::Sums sums{};
+    kernel.probe (points (cut), texture_.image(), motion, rules, sums);
+    append (sums, all);
+    return all;
+  }
+
+  const std::vector<std::uint8_t>&
+  active () const
+  {
+    return active_;
+  }
+
+private:
+  static kernel::Motion
+  turned (double angle)
+  {
+    const Eigen::Matrix3d r =
+        Eigen::AngleAxisd (angle, Eigen::Vector3d (0.3, 0.5, 0.8).normalized())
+            .toRotationMatrix();
+    kernel::Motion m{};
+    for (int i = 0; i < 9; ++i)
+      m.rotation[i] = m.normal_rotation[i] = r (i / 3, i % 3);
+    m.translation[0] = 0.04;
+    m.translation[2] = 0.02;
+    m.origin[2] = 2.0;
+    return m;
+  }
+  static void
+  append (const kernel::Sums& sums, std::vector<double>& all)
+  {
+    all.insert (all.end(), std::begin (sums.a), std::end (sums.a));
+    all.insert (all.end(), std::begin (sums.b), std::end (sums.b));
+    all.insert (all.end(), {sums.brightness_cost, sums.icp_cost, sums.hidden});
+  }
+
+  SegmentPixels pixels_;
+  Texture texture_{bumps (0.9)};
+  std::vector<float> offset_;
+  std::vector<std::uint8_t> active_;
+};
+
+TEST_P (Kernels, OfAllInstructionSetsAgree)
+{
+  for (const int cut : {0, 1, 13, 1020}) {
+    const std::vector<double> plain = sumsOf (kernel::usableKernels().back(), cut);
+    const std::vector<std::uint8_t> seen = active();
+    double largest = 0.0;
+    for (const double value : plain)
+      largest = std::max (largest, std::abs (value));
+    ASSERT_GT (largest, 0.0);
+    for (const kernel::Kernel& kernel : kernel::usableKernels()) {
+      const std::vector<double> sums = sumsOf (kernel, cut);
+      for (std::size_t i = 0; i < sums.size(); ++i)
+        EXPECT_NEAR (sums[i], plain[i], 1e-5 * largest) << kernel.name << ", sum " << i;
+      EXPECT_EQ (active(), seen) << kernel.name;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P (Angles, Kernels, testing::Values (0.0, 0.02, 0.3));
+
+TEST (KernelChoice, EndsWithTheOneOfAnyProcessor)
+{
+  EXPECT_STREQ (kernel::usableKernels().back().name, "default");
+}
+
 class Gradient : public testing::TestWithParam<double> {};
 
 TEST_P (Gradient, MatchesCentralDifferencesOfTheKeptCost)

@@ -123,7 +123,8 @@ TEST_F (EvaluateTool, AKilledRunLosesNothingThatIsDone)
   std::filesystem::remove (csv);
   // Killed as soon as the file has a row.
   const std::string command = std::string ("bash -c '") + PCL_MSF_EVALUATE + what +
-                              " >/dev/null & p=$!; while ! grep -q ^0, " + csv +
+                              " >/dev/null & p=$!; while kill -0 $p && ! grep -q ^0, " +
+                              csv +
                               " 2>/dev/null; do sleep 0.02; done; kill -9 $p; wait'";
   runTool (folder_, command);
   const ResultFile part = readResults (csv);
@@ -137,9 +138,13 @@ TEST_F (EvaluateTool, AKilledRunLosesNothingThatIsDone)
 TEST_F (EvaluateTool, AnInterruptedRunKeepsItsRowsAndSaysSo)
 {
   const std::string csv = folder_ ("r.csv");
-  const std::string what = kTiny + "--methods msf --jobs 2 --quiet --csv " + csv;
+  std::string much = "msf";
+  for (int i = 1; i < 200; ++i)
+    much += ",msf:max-iterations=" + std::to_string (i);
+  const std::string what =
+      kTiny + "--methods " + much + " --jobs 2 --quiet --csv " + csv;
   const std::string command = std::string ("bash -c '") + PCL_MSF_EVALUATE + what +
-                              " & p=$!; while ! grep -q ^0, " + csv +
+                              " & p=$!; while kill -0 $p && ! grep -q ^0, " + csv +
                               " 2>/dev/null; do sleep 0.02; done; kill $p; wait $p'";
   const ToolRun r = runTool (folder_, command);
   EXPECT_EQ (r.status, 128 + 15);

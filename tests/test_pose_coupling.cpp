@@ -103,18 +103,22 @@ TEST_P (CouplingCost, JacobiansMatchNumericalOnes)
   }
 }
 
-TEST_P (CouplingCost, EqualPosesHaveNoDifference)
+TEST_P (CouplingCost, ShiftsDifferByTheirDifference)
 {
   const auto [form, angle] = GetParam();
   std::mt19937 generator (9);
   const RigidPose pose = randomPose (generator, angle);
+  RigidPose shifted = pose;
+  shifted.parameters[4] += 0.25;
   const double w = 1.0;
-  const double* parameters[] = {pose.parameters.data(), pose.parameters.data(), &w};
+  const double* parameters[] = {pose.parameters.data(), shifted.parameters.data(), &w};
   double r[7];
   ASSERT_TRUE (
       PoseCouplingCost (kLink, kScale, form).Evaluate (parameters, r, nullptr));
-  for (const double residual : r)
-    EXPECT_EQ (residual, 0.0);
+  const bool metric = form == PoseDifference::Metric;
+  const double shift = -0.7 * 0.25 * (metric ? kScale.unit : 1.0);
+  for (int i = 0; i < 7; ++i)
+    EXPECT_NEAR (r[i], i == (metric ? 1 : 4) ? shift : 0.0, 1e-9) << i;
 }
 
 INSTANTIATE_TEST_SUITE_P (

@@ -41,7 +41,7 @@ sameBits (const cv::Mat& a, const cv::Mat& b)
          std::memcmp (a.data, b.data, a.total() * a.elemSize()) == 0;
 }
 
-TEST (RegistrationTargets, OneTargetIsTheSameHoweverGiven)
+TEST (RegistrationTargets, OneTargetOfAListIsATarget)
 {
   Registration one, list;
   Cloud warped;
@@ -53,6 +53,8 @@ TEST (RegistrationTargets, OneTargetIsTheSameHoweverGiven)
   list.align (warped);
   ASSERT_TRUE (one.hasConverged() && list.hasConverged());
   EXPECT_TRUE (sameBits (one.getSceneFlow().flow, list.getSceneFlow (1).flow));
+  EXPECT_LT (errorAt (list.getFinalTransformation(), 1), 0.005);
+  EXPECT_LT (errorAt (list.getPose (1, 0, 0), -1), 0.005);
   EXPECT_EQ (list.getInputTargets().size(), 1U);
   EXPECT_TRUE (list.getSceneFlow (0).flow.empty());
 }

@@ -84,7 +84,23 @@ TEST (RegistrationWindow, TargetsOneByOneAreTheList)
   EXPECT_EQ (single.getInputTargets().size(), 1U) << "replaces the list";
 }
 
-TEST (RegistrationWindow, EveryPairHasPosesAndSegmentPairsShareTheirWeights)
+/** Where a pose takes a point of the first frame, from the truth. */
+double
+errorAt (const Eigen::Matrix4f& matrix, int from, int to)
+{
+  RigidPose step = RigidPair::motion();
+  for (double& parameter : step.parameters)
+    parameter *= 0.5;
+  const auto move = [&] (Eigen::Vector3d p, int times) {
+    for (int i = 0; i < std::abs (times); ++i)
+      p = (times > 0 ? step : step.inverse()) * p;
+    return p;
+  };
+  const Eigen::Vector3d p = move ({0.1, -0.1, 1.5}, from);
+  return (RigidPose::fromMatrix (matrix) * p - move (p, to - from)).norm();
+}
+
+TEST (RegistrationWindow, EveryPairHasPosesThatAreTrue)
 {
   Registration registration;
   registration.setInputSource (view (1));
@@ -95,22 +111,11 @@ TEST (RegistrationWindow, EveryPairHasPosesAndSegmentPairsShareTheirWeights)
   ASSERT_TRUE (registration.hasConverged()) << registration.getReport().message;
   EXPECT_EQ (registration.getMultiframeSceneFlow().motions.size(), 6U);
   for (int from = 0; from < 4; ++from)
-    for (int to = 0; to < 4; ++to) {
-      const Eigen::Matrix4f there = registration.getPose (from, to, 0);
-      const Eigen::Matrix4f back = registration.getPose (to, from, 0);
-      EXPECT_TRUE ((there * back).isIdentity (1e-4F)) << from << " to " << to;
-    }
-  const auto& pairs = registration.getSceneFlow (0).pairs;
-  ASSERT_FALSE (pairs.empty());
-  for (const int frame : {2, 3}) {
-    const auto& others = registration.getSceneFlow (frame).pairs;
-    ASSERT_EQ (others.size(), pairs.size());
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      EXPECT_EQ (others[i].first, pairs[i].first);
-      EXPECT_EQ (others[i].second, pairs[i].second);
-      EXPECT_EQ (others[i].weight, pairs[i].weight);
-    }
-  }
+    for (int to = 0; to < 4; ++to)
+      EXPECT_LT (errorAt (registration.getPose (from, to, 0), from, to), 0.01)
+          << from << " to " << to;
+  for (const int frame : {0, 2, 3})
+    EXPECT_FALSE (registration.getSceneFlow (frame).pairs.empty()) << frame;
 }
 
 TEST (RegistrationWindow, BehindTheBasePointerTheLastTargetCounts)
@@ -203,10 +208,7 @@ TEST (RegistrationWindow, NineFramesAreNotTooMany)
   Cloud warped;
   registration.align (warped);
   ASSERT_TRUE (registration.hasConverged()) << registration.getReport().message;
-  EXPECT_LT ((warped (80, 60).getVector3fMap() -
-              registration.getWarpedCloud (8) (80, 60).getVector3fMap())
-                 .norm(),
-             1e-6F);
+  EXPECT_LT (errorAt (registration.getFinalTransformation(), 0, 8), 0.01);
   EXPECT_EQ (registration.getMultiframeSceneFlow().frames.size(), 9U);
 }
 

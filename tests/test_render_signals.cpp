@@ -40,12 +40,16 @@ childrenOf (const std::string& parent)
   return found;
 }
 
+/** Waits for a condition as long as a child runs. */
 bool
-waitFor (const std::function<bool()>& condition)
+waitFor (const std::function<bool()>& condition, pid_t child)
 {
-  for (int i = 0; i < 3000 && !condition(); ++i)
+  while (!condition()) {
+    if (waitpid (child, nullptr, WNOHANG) != 0)
+      return false;
     std::this_thread::sleep_for (std::chrono::milliseconds (10));
-  return condition();
+  }
+  return true;
 }
 
 class RenderSignals : public RenderCase, public ::testing::WithParamInterface<int> {};
@@ -73,8 +77,8 @@ TEST_P (RenderSignals, LeaveNoDisplayAndNoHalfPicture)
            nullptr);
     _exit (127);
   }
-  ASSERT_TRUE (
-      waitFor ([this] { return fs::exists (folder_ ("out/warp/warp_0002.png")); }));
+  ASSERT_TRUE (waitFor (
+      [this] { return fs::exists (folder_ ("out/warp/warp_0002.png")); }, tool));
   std::string display;
   for (const std::string& child : childrenOf (std::to_string (tool)))
     if (processName ("/proc/" + child) == "Xvfb")

@@ -281,14 +281,15 @@ TEST_F (SceneFlowTool, SaysOnceThatCloudsHaveNoColour)
 TEST_F (SceneFlowTool, EndsCleanlyOnASignal)
 {
   scene_.writeImages (folder_);
-  const std::string arguments = imageArguments() +
-                                " --max-iterations 100000 --function-tolerance 0" +
-                                " --parameter-tolerance 0 --output " + folder_ ("out");
+  std::string arguments = imageArguments() + " --output " + folder_ ("out");
+  for (int i = 0; i < 10; ++i) // a window that takes much longer than the signal
+    arguments += " --color " + folder_ ("c0.png") + " --depth " + folder_ ("d0.png") +
+                 " --color " + folder_ ("c1.png") + " --depth " + folder_ ("d1.png");
   // The folder is made once signals are noted.
-  const ToolRun ended =
-      runTool (folder_,
-               "{ " + kTool + arguments + " & p=$!; until [ -d " + folder_ ("out") +
-                   " ]; do sleep 0.01; done; kill -TERM $p; wait $p; }");
+  const ToolRun ended = runTool (
+      folder_,
+      "{ " + kTool + arguments + " & p=$!; until [ -d " + folder_ ("out") +
+          " ] || ! kill -0 $p; do sleep 0.01; done; kill -TERM $p; wait $p; }");
   EXPECT_EQ (ended.status, 128 + 15) << ended.err;
   EXPECT_EQ (ended.errorLines(), 1) << ended.err;
   EXPECT_THAT (ended.err, HasSubstr ("interrupted"));

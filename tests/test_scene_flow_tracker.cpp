@@ -158,14 +158,19 @@ TEST (SceneFlowTracker, RefusesAFrameWithoutColorAmongColoredOnes)
   EXPECT_EQ (tracker.frames(), 1);
 }
 
-TEST (SceneFlowTracker, WindowOfTwoIsFrameToFrame)
+TEST (SceneFlowTracker, WindowOfTwoGoesFromFrameToFrame)
 {
-  const test::AnalyticScene scene = test::roomWithBox();
+  const test::AnalyticScene scene = standingRoom();
   TrackerParameters parameters;
   parameters.window = 2;
   SceneFlowTracker tracker = makeTracker (parameters);
-  for (const test::View& view : test::renderWindow (scene, 3))
+  int frame = 0;
+  for (const test::View& view : test::renderWindow (scene, 3)) {
     tracker.add (scene.frame (view));
+    EXPECT_LT (distanceToTruth (scene, frame, tracker.cameraPose()),
+               0.004 * (1 + frame));
+    ++frame;
+  }
   EXPECT_EQ (tracker.frames(), 2);
   EXPECT_EQ (tracker.firstFrame(), 1);
 }

@@ -5,13 +5,13 @@
 #include "visualization/child_process.h"
 #include <gmock/gmock.h>
 #include <pcl_msf/visualization/virtual_display.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <X11/Xlib.h>
 
 #include <csignal>
 #include <cstdlib>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <thread>
@@ -51,39 +51,63 @@ private:
   std::string before_;
 };
 
-/** The socket that a display's server listens on. */
-std::string
-socketOf (const std::string& display)
-{
-  return "/tmp/.X11-unix/X" + display.substr (1);
-}
+/** The socket that a display's server listens on. The number of a display that has
+ * ended may be another server's at once, so a server is known by its socket. */
+class Socket {
+public:
+  explicit Socket (const std::string& display)
+  : path_ ("/tmp/.X11-unix/X" + display.substr (1)), there_ (look (at_begin_))
+  {}
 
-bool
-goesAway (const std::string& path)
-{
-  for (int i = 0; i < 1000 && std::filesystem::exists (path); ++i)
-    std::this_thread::sleep_for (std::chrono::milliseconds (10));
-  return !std::filesystem::exists (path);
-}
+  /** Is the socket that was there at the beginning still there? */
+  bool
+  exists () const
+  {
+    struct stat now = {};
+    return there_ && look (now) && now.st_dev == at_begin_.st_dev &&
+           now.st_ino == at_begin_.st_ino &&
+           now.st_ctim.tv_sec == at_begin_.st_ctim.tv_sec &&
+           now.st_ctim.tv_nsec == at_begin_.st_ctim.tv_nsec;
+  }
+  /** Waits as long as the test may take. */
+  void
+  waitUntilGone () const
+  {
+    while (exists())
+      std::this_thread::sleep_for (std::chrono::milliseconds (10));
+  }
+
+private:
+  bool
+  look (struct stat& found) const
+  {
+    return stat (path_.c_str(), &found) == 0;
+  }
+
+  std::string path_;
+  struct stat at_begin_ = {};
+  bool there_;
+};
 
 TEST (VirtualDisplay, StartsOneAndTakesItAway)
 {
   const Environment none ("DISPLAY", nullptr);
   EXPECT_THAT (displayProblem(), ::testing::HasSubstr ("DISPLAY is not set"));
-  std::string name;
+  std::unique_ptr<Socket> socket;
   {
     const VirtualDisplay display;
     EXPECT_TRUE (display.started());
-    name = display.name();
+    const std::string name = display.name();
     ASSERT_EQ (name.substr (0, 1), ":");
     EXPECT_EQ (displayProblem(), "");
-    EXPECT_TRUE (std::filesystem::exists (socketOf (name)));
+    socket = std::make_unique<Socket> (name);
+    EXPECT_TRUE (socket->exists());
     const VirtualDisplay inner;
     EXPECT_FALSE (inner.started()) << "there is one already";
     EXPECT_EQ (inner.name(), name);
   }
   EXPECT_EQ (std::getenv ("DISPLAY"), nullptr) << "restored";
-  EXPECT_FALSE (std::filesystem::exists (socketOf (name))) << "ended before the guard";
+  EXPECT_FALSE (socket->exists()) << "ended before the guard";
 }
 
 TEST (VirtualDisplay, ReplacesADisplayThatDoesNotAnswer)
@@ -188,10 +212,11 @@ TEST (VirtualDisplay, EndsWithAProcessThatIsKilled)
     name += c;
   close (ends[0]);
   ASSERT_FALSE (name.empty());
-  EXPECT_TRUE (std::filesystem::exists (socketOf (name)));
+  const Socket socket (name);
+  EXPECT_TRUE (socket.exists());
   kill (child, SIGKILL);
   waitpid (child, nullptr, 0);
-  EXPECT_TRUE (goesAway (socketOf (name)));
+  socket.waitUntilGone();
 }
 
 } // namespace

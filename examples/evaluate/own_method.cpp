@@ -108,8 +108,8 @@ OwnMethod::segment (const PairData& pair, const RgbdFrame& frame) const
 {
   if (labels_ == LabelSource::Truth)
     return Oversegmentation::fromLabels (pair.truth.labels, frame);
-  const Oversegmentation own =
-      Oversegmentation::fromFrame (frame, options_.segmentation);
+  const Oversegmentation own = Oversegmentation::fromFrame (
+      frame, options_.segmentation, options_.solver.threads);
   if (labels_ == LabelSource::Method)
     return own;
   return Oversegmentation::fromLabels (cutAlong (own.labels(), pair.truth.labels),

@@ -162,7 +162,7 @@ public:
   explicit Estimation (const io::RgbdImages& reference)
   : reference_ (
         RgbdFrame::fromImages (reference.color, reference.depth, reference.camera))
-  , segments_ (Oversegmentation::fromFrame (reference_))
+  , segments_ (Oversegmentation::fromFrame (reference_, {}, 0))
   {}
 
   SceneFlow

@@ -178,10 +178,11 @@ Inputs::unifyColors (int first, std::vector<io::RgbdImages>& images)
 std::vector<io::RgbdImages>
 Inputs::load (int first, int count)
 {
+  const auto policy =
+      options_.solver.threads == 1 ? std::launch::deferred : std::launch::async;
   std::vector<std::future<io::RgbdImages>> later;
   for (int i = 1; i < count; ++i)
-    later.push_back (
-        std::async (std::launch::async, [=] { return loadFrame (first + i); }));
+    later.push_back (std::async (policy, [=] { return loadFrame (first + i); }));
   std::vector<io::RgbdImages> images{loadFrame (first)};
   for (auto& image : later)
     images.push_back (image.get());

@@ -22,7 +22,8 @@ segment (const Options& options, const Inputs& inputs, const RgbdFrame& frame)
 {
   const cv::Mat labels = inputs.labels ({frame.width(), frame.height()});
   if (labels.empty())
-    return Oversegmentation::fromFrame (frame, options.segmentation);
+    return Oversegmentation::fromFrame (
+        frame, options.segmentation, options.solver.threads);
   return Oversegmentation::fromLabels (labels, frame);
 }
 

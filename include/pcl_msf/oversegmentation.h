@@ -21,9 +21,13 @@ class Oversegmentation {
 public:
   Oversegmentation() = default;
 
-  /** \brief Cuts a frame. Deterministic. \throws InvalidInput for bad parameters */
+  /** \brief Cuts a frame. Deterministic.
+   * \param threads to use, OpenCV's included; 0 = all. The result does not depend on
+   * it. \throws InvalidInput for bad parameters */
   static Oversegmentation
-  fromFrame (const RgbdFrame& frame, const SegmentationParameters& parameters = {});
+  fromFrame (const RgbdFrame& frame,
+             const SegmentationParameters& parameters = {},
+             unsigned threads = 1);
 
   /** \brief Takes labels from outside, any integers; those that no point with depth
    * bears disappear, the others are renumbered in ascending order. Negative labels =

@@ -131,7 +131,13 @@ public:
     return energy_.regularizer_weight;
   }
 
-  /** \brief Threads to use, at most 1024; 0 = all. The result does not depend on it. */
+  /** \brief Threads to use, at most 1024; 0 = one per processor. The result does not
+   * depend on it.
+   *
+   * With 1, all is done in the thread that calls align: no thread is started, and
+   * OpenCV's loops are not split (see cv::setNumThreads for its own threads, used with
+   * more). More are helpers of the calling thread; they sleep while nothing is shared,
+   * and end with it. A process that was forked after an align may align, too. */
   void
   setNumberOfThreads (unsigned threads = 0);
   unsigned

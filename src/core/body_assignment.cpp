@@ -3,6 +3,7 @@
 #include "core/body_assignment.h"
 
 #include "core/claim_map.h"
+#include "core/parallel_for.h"
 #include "core/segment_graph.h"
 
 #include <algorithm>
@@ -155,9 +156,9 @@ void
 Assignment::lookWhoIsSeen (int threads)
 {
   seen_.assign (segments_, 0);
-#pragma omp parallel for schedule(dynamic, 8) num_threads(threads)
-  for (int k = 0; k < segments_; ++k)
+  parallelFor (threads, segments_, 8, [&] (int k) {
     seen_[k] = probe (k, state_.body_of[k]).hidden < kMostlyHidden;
+  });
 }
 
 void
@@ -168,9 +169,9 @@ Assignment::mapClaims (int threads)
   for (const PairTerms& pair : asked_)
     motions_.push_back (state_.ofPair (pair.pair));
   claims_.resize (pairs);
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-  for (int i = 0; i < pairs; ++i)
+  parallelFor (threads, pairs, 1, [&] (int i) {
     claims_[i] = std::make_unique<ClaimMap> (*asked_[i].all, motions_[i]);
+  });
 }
 
 int
@@ -181,12 +182,10 @@ Assignment::round (int threads)
   lookWhoIsSeen (threads);
   mapClaims (threads);
   std::vector<int> next (segments_);
-  int changes = 0;
-#pragma omp parallel for schedule(dynamic, 8) num_threads(threads) reduction(+ : changes)
-  for (int k = 0; k < segments_; ++k) {
+  const int changes = parallelSum (threads, segments_, 8, [&] (int k) {
     next[k] = choose (k, largest);
-    changes += next[k] != state_.body_of[k] ? 1 : 0;
-  }
+    return next[k] != state_.body_of[k] ? 1 : 0;
+  });
   state_.body_of.swap (next);
   return changes;
 }

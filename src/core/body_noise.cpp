@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/body_noise.h"
 
+#include "core/parallel_for.h"
 #include "core/surface_sample.h"
 
 #include <algorithm>
@@ -76,10 +77,9 @@ sharpenRigidBodies (const std::vector<PairTerms>& terms,
   for (std::size_t k = 0; k < state.body_of.size(); ++k)
     segments[state.body_of[k]].push_back (static_cast<int> (k));
   const int bodies = static_cast<int> (segments.size());
-#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
-  for (int b = 0; b < bodies; ++b) {
+  parallelFor (threads, bodies, 1, [&] (int b) {
     if (static_cast<int> (segments[b].size()) < kRigid)
-      continue;
+      return;
     int points = 0;
     for (const int k : segments[b])
       points += pixels.size (k);
@@ -98,7 +98,7 @@ sharpenRigidBodies (const std::vector<PairTerms>& terms,
         pixels.brightness_scale[i] *= brightness;
         pixels.icp_scale[i] *= icp;
       }
-  }
+  });
 }
 
 } // namespace pcl_msf

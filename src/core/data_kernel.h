@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 // The per-pixel arithmetic of Eq. 6 to 8, on plain arrays: no Eigen types here, so that
 // this file's functions can be compiled for several instruction sets.
@@ -73,50 +74,45 @@ struct Sums {
   double hidden; ///< weight of the residuals of points occluded or out of view
 };
 
-/** \brief Renews the correspondences and linearizes: adds to sums. */
-void
-linearize (const Points& points,
-           const Image& image,
-           const Motion& motion,
-           const Rules& rules,
-           const Correspondences& state,
-           Sums& sums);
+/** \brief What every function of a Kernel but probe () takes. */
+using Sweep = void (const Points& points,
+                    const Image& image,
+                    const Motion& motion,
+                    const Rules& rules,
+                    const Correspondences& state,
+                    Sums& sums);
 
-/** \brief Linearizes at kept correspondences. */
-void
-linearizeKept (const Points& points,
-               const Image& image,
-               const Motion& motion,
-               const Rules& rules,
-               const Correspondences& state,
-               Sums& sums);
+/** \brief The functions, compiled for one instruction set. Between sets, results differ
+ * by rounding only. */
+struct Kernel {
+  const char* name; ///< of the instruction set
+  /** \brief Renews the correspondences and linearizes: adds to sums. */
+  Sweep* linearize;
+  /** \brief Linearizes at kept correspondences. */
+  Sweep* linearizeKept;
+  /** \brief The costs at kept correspondences: adds to both costs. */
+  Sweep* cost;
+  /** \brief Truncated costs with fresh correspondences and visibility, for comparing
+   * poses far from each other; keeps nothing. */
+  void (*probe) (const Points& points,
+                 const Image& image,
+                 const Motion& motion,
+                 const Rules& rules,
+                 Sums& sums);
+};
 
-/** \brief The costs at kept correspondences: adds to both costs. */
-void
-cost (const Points& points,
-      const Image& image,
-      const Motion& motion,
-      const Rules& rules,
-      const Correspondences& state,
-      Sums& sums);
+/** \brief The kernels that this processor runs, the fastest first; the last one, named
+ * "default", always is. */
+const std::vector<Kernel>&
+usableKernels ();
 
-/** \brief Truncated costs with fresh correspondences and visibility, for comparing
- * poses far from each other; keeps nothing. */
-void
-probe (const Points& points,
-       const Image& image,
-       const Motion& motion,
-       const Rules& rules,
-       Sums& sums);
+/** \brief The kernel that is used: the one that the environment variable PCL_MSF_ISA
+ * names when the process first asks, otherwise the fastest. */
+const Kernel&
+chosenKernel ();
 
 /** \brief As linearizeKept, in double precision: for checking the above. */
-void
-linearizeKeptInDouble (const Points& points,
-                       const Image& image,
-                       const Motion& motion,
-                       const Rules& rules,
-                       const Correspondences& state,
-                       Sums& sums);
+Sweep linearizeKeptInDouble;
 
 } // namespace kernel
 } // namespace pcl_msf

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/data_term.h"
 
+#include "core/parallel_for.h"
+
 #include <algorithm>
 
 namespace pcl_msf {
@@ -167,13 +169,14 @@ DataTerm::evaluate (int k, const RigidPose& pose, Pass pass)
   const kernel::Correspondences state{plane_offset_.data() + at, active_.data() + at};
   kernel::Sums sums{};
   if (pass == Pass::Cost)
-    kernel::cost (points (k), image_, motion, rules_, state, sums);
+    kernel::chosenKernel().cost (points (k), image_, motion, rules_, state, sums);
   else if (pass == Pass::Linearize)
-    kernel::linearize (points (k), image_, motion, rules_, state, sums);
+    kernel::chosenKernel().linearize (points (k), image_, motion, rules_, state, sums);
   else if (pass == Pass::LinearizeKeptInDouble)
     kernel::linearizeKeptInDouble (points (k), image_, motion, rules_, state, sums);
   else
-    kernel::linearizeKept (points (k), image_, motion, rules_, state, sums);
+    kernel::chosenKernel().linearizeKept (
+        points (k), image_, motion, rules_, state, sums);
   SegmentQuadratic& out = quadratics_[k];
   out.brightness_cost = sums.brightness_cost;
   out.icp_cost = sums.icp_cost;
@@ -184,16 +187,16 @@ DataTerm::evaluate (int k, const RigidPose& pose, Pass pass)
 void
 DataTerm::sweep (const MotionState& state, Pass pass)
 {
-#pragma omp parallel for schedule(dynamic, 8) num_threads(threads_)
-  for (int k = 0; k < pixels_.segments(); ++k)
+  parallelFor (threads_, pixels_.segments(), 8, [&] (int k) {
     evaluate (k, state.poseOf (k), pass);
+  });
 }
 
 DataTerm::Probe
 DataTerm::probe (int k, const RigidPose& pose) const
 {
   kernel::Sums sums{};
-  kernel::probe (
+  kernel::chosenKernel().probe (
       points (k), image_, kernelMotion (pose, pose, pixels_.centroid[k]), rules_, sums);
   Probe result;
   result.cost = sums.brightness_cost + sums.icp_cost;

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/dense_points.h"
 
+#include "core/parallel_for.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -126,8 +128,7 @@ fillPoints (const DataTerm& data,
   result.displacement = cv::Mat (size, CV_32FC3, cv::Scalar::all (nan));
   result.flow = cv::Mat (size, CV_32FC2, cv::Scalar::all (nan));
   const auto influences = findInfluences (result, blend);
-#pragma omp parallel for schedule(dynamic, 8) num_threads(threads)
-  for (int k = 0; k < p.segments(); ++k) {
+  parallelFor (threads, p.segments(), 8, [&] (int k) {
     const bool known = result.segments[k].status != MotionStatus::Undetermined;
     for (int i = p.begin[k]; i < p.begin[k + 1]; ++i) {
       const int x = p.pixel[i] % size.width;
@@ -143,7 +144,7 @@ fillPoints (const DataTerm& data,
             y,
             result);
     }
-  }
+  });
 }
 
 } // namespace pcl_msf

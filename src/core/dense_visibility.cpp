@@ -3,6 +3,7 @@
 #include "core/dense_visibility.h"
 
 #include "core/surface_sample.h"
+#include "core/parallel_for.h"
 
 #include <algorithm>
 #include <cmath>
@@ -168,15 +169,14 @@ fillVisibility (const DataTerm& data, int threads, SceneFlow& result)
   const int count = static_cast<int> (p.pixel.size());
   result.visibility = cv::Mat (result.labels.size(), CV_8UC1, cv::Scalar (NoDepth));
   std::vector<Landing> landings (count);
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (int i = 0; i < count; ++i)
+  parallelFor (threads, count, 4096, [&] (int i) {
     landings[i] = landingOf (image,
                              result.points.ptr<cv::Vec3f>()[p.pixel[i]] +
                                  result.displacement.ptr<cv::Vec3f>()[p.pixel[i]],
                              p.depth_tolerance[i]);
+  });
   const float wider = widening (landings, p.depth_tolerance);
-#pragma omp parallel for schedule(dynamic, 8) num_threads(threads)
-  for (int k = 0; k < p.segments(); ++k) {
+  parallelFor (threads, p.segments(), 8, [&] (int k) {
     SegmentMotion& segment = result.segments[k];
     const bool known = segment.status != MotionStatus::Undetermined;
     segment.visible_points = 0;
@@ -190,7 +190,7 @@ fillVisibility (const DataTerm& data, int threads, SceneFlow& result)
       result.visibility.ptr<unsigned char>()[p.pixel[i]] = seen;
       segment.visible_points += seen == Visible ? 1 : 0;
     }
-  }
+  });
 }
 
 } // namespace pcl_msf

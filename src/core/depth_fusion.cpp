@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/depth_fusion.h"
 
+#include "core/parallel_for.h"
+
 #include <cmath>
 
 namespace pcl_msf {
@@ -90,8 +92,7 @@ fuseInverseDepth (const FrameLevel& reference,
   const auto sigma = static_cast<float> (noise.inverse_depth);
   cv::Mat result = reference.inverse_depth.clone();
   const PinholeCamera& camera = reference.camera;
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (int y = 0; y < result.rows; ++y)
+  parallelFor (threads, result.rows, 8, [&] (int y) {
     for (int x = 0; x < result.cols; ++x) {
       float& w = result.at<float> (y, x);
       const int k = labels.at<int> (y, x);
@@ -115,6 +116,7 @@ fuseInverseDepth (const FrameLevel& reference,
       }
       w = std::max (w + sum / weights, 0.5f * w);
     }
+  });
   return result;
 }
 

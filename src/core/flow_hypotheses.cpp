@@ -5,6 +5,8 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
 
+#include "core/opencv_threads.h"
+#include "core/parallel_for.h"
 #include "core/rigid_fit.h"
 
 #include <algorithm>
@@ -80,13 +82,13 @@ bestSupported (const std::vector<FlowSample>& voters,
 {
   std::vector<double> errors (candidates.size());
   const int n = static_cast<int> (candidates.size());
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (int c = 0; c < n; ++c)
+  parallelFor (threads, n, 8, [&] (int c) {
     errors[c] = meanTruncatedError (voters.data(),
                                     static_cast<int> (voters.size()),
                                     candidates[c],
                                     options,
                                     kVoteLimit);
+  });
   const auto best = std::min_element (errors.begin(), errors.end());
   return candidates[best - errors.begin()];
 }
@@ -123,16 +125,18 @@ findBodies (const SampleTable& table,
 } // namespace
 
 cv::Mat
-estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current)
+estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current, int threads)
 {
   cv::Mat flow;
-  const auto dis = cv::DISOpticalFlow::create (cv::DISOpticalFlow::PRESET_MEDIUM);
-  dis->calc (reference.gray(), current.gray(), flow);
+  withThreads (threads, [&] {
+    const auto dis = cv::DISOpticalFlow::create (cv::DISOpticalFlow::PRESET_MEDIUM);
+    dis->calc (reference.gray(), current.gray(), flow);
+  });
   return flow;
 }
 
 cv::Mat
-estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current)
+estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current, int threads)
 {
   const int level = std::min<int> ({1,
                                     static_cast<int> (reference.levels().size()) - 1,
@@ -147,13 +151,15 @@ estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current)
   first.convertTo (gray_first, CV_8U, scale);
   second.convertTo (gray_second, CV_8U, scale);
   cv::Mat flow;
-  const auto dis = cv::DISOpticalFlow::create (cv::DISOpticalFlow::PRESET_MEDIUM);
-  dis->calc (gray_first, gray_second, flow);
-  if (level > 0) {
-    cv::resize (
-        flow, flow, {reference.width(), reference.height()}, 0, 0, cv::INTER_LINEAR);
+  const cv::Size size (reference.width(), reference.height());
+  withThreads (threads, [&] {
+    const auto dis = cv::DISOpticalFlow::create (cv::DISOpticalFlow::PRESET_MEDIUM);
+    dis->calc (gray_first, gray_second, flow);
+    if (level > 0)
+      cv::resize (flow, flow, size, 0, 0, cv::INTER_LINEAR);
+  });
+  if (level > 0)
     flow *= 2.0;
-  }
   return flow;
 }
 
@@ -205,15 +211,14 @@ hypothesesFromFlow (const cv::Mat& flow,
   const int segments = pixels.segments();
   result.of_segment.assign (segments, start);
   result.fitted.assign (segments, 0);
-#pragma omp parallel for schedule(dynamic, 8) num_threads(threads)
-  for (int k = 0; k < segments; ++k) {
+  parallelFor (threads, segments, 8, [&] (int k) {
     const int n = table.begin[k + 1] - table.begin[k];
     if (n < kMinSamples)
-      continue;
+      return;
     result.of_segment[k] =
         fitRigidMotion (table.samples.data() + table.begin[k], n, start, options);
     result.fitted[k] = 1;
-  }
+  });
   std::vector<RigidPose> candidates;
   for (int k = 0; k < segments; k += 2)
     if (result.fitted[k])

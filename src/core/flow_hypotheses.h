@@ -23,12 +23,12 @@ struct FlowHypotheses {
 
 /** \brief Dense optical flow, reference to current: CV_32FC2, pixels, by cv's DIS. */
 cv::Mat
-estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current);
+estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current, int threads);
 
 /** \brief The same on the images of inverse depth, at half resolution: follows thin and
  * textureless things in front of a background, and frames without colour. */
 cv::Mat
-estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current);
+estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current, int threads);
 
 /** \brief Lifts optical flow by depth and fits rigid motions (robustly).
  * \param flow full resolution

@@ -6,6 +6,8 @@
 #include <opencv2/ximgproc/segmentation.hpp>
 #include <opencv2/ximgproc/slic.hpp>
 
+#include "core/opencv_threads.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -45,7 +47,8 @@ discardSmall (const cv::Mat& inverse_depth, int min_points, cv::Mat& labels)
 
 cv::Mat
 segmentByFelzenszwalb (const FrameLevel& level,
-                       const SegmentationParameters& parameters)
+                       const SegmentationParameters& parameters,
+                       int threads)
 {
   constexpr double kSmoothing = 0.5; // Felzenszwalb's sigma, pixels
   // The library drops small components by merging them; keep them to discard them.
@@ -53,14 +56,16 @@ segmentByFelzenszwalb (const FrameLevel& level,
   const auto segmentation = cv::ximgproc::segmentation::createGraphSegmentation (
       kSmoothing, static_cast<float> (parameters.threshold), min_size);
   cv::Mat labels;
-  segmentation->processImage (depthWithHolesAtZero (level.inverse_depth), labels);
+  withThreads (threads, [&] {
+    segmentation->processImage (depthWithHolesAtZero (level.inverse_depth), labels);
+  });
   if (parameters.discard_small)
     discardSmall (level.inverse_depth, parameters.min_points, labels);
   return labels;
 }
 
 cv::Mat
-segmentBySlic (const FrameLevel& level, int size)
+segmentBySlic (const FrameLevel& level, int size, int threads)
 {
   cv::Mat features[2]; // both scaled to a Lab-like range
   if (level.intensity.empty())
@@ -72,12 +77,14 @@ segmentBySlic (const FrameLevel& level, int size)
   level.inverse_depth.convertTo (features[1], CV_32F, 255.0 / largest);
   cv::Mat image;
   cv::merge (features, 2, image);
-  const auto slic =
-      cv::ximgproc::createSuperpixelSLIC (image, cv::ximgproc::SLIC, size, 10.0f);
-  slic->iterate (5);
-  slic->enforceLabelConnectivity (25);
   cv::Mat labels;
-  slic->getLabels (labels);
+  withThreads (threads, [&] {
+    const auto slic =
+        cv::ximgproc::createSuperpixelSLIC (image, cv::ximgproc::SLIC, size, 10.0f);
+    slic->iterate (5);
+    slic->enforceLabelConnectivity (25);
+    slic->getLabels (labels);
+  });
   return labels;
 }
 

@@ -14,10 +14,11 @@ namespace pcl_msf {
  * segments are -1. */
 cv::Mat
 segmentByFelzenszwalb (const FrameLevel& level,
-                       const SegmentationParameters& parameters);
+                       const SegmentationParameters& parameters,
+                       int threads);
 
 /** \brief SLIC superpixels on intensity and inverse depth, by cv::ximgproc. */
 cv::Mat
-segmentBySlic (const FrameLevel& level, int size);
+segmentBySlic (const FrameLevel& level, int size, int threads);
 
 } // namespace pcl_msf

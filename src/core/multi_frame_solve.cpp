@@ -7,8 +7,8 @@
 #include "core/depth_fusion.h"
 #include "core/exposure.h"
 #include "core/outcome.h"
+#include "core/parallel_for.h"
 #include "core/segment_carrier.h"
-#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,7 +58,7 @@ MultiFrameSolve::MultiFrameSolve (const std::vector<RgbdFrame>& frames,
 , scene_{frames_,
          pairs_,
          segments.size(),
-         solver.threads > 0 ? static_cast<int> (solver.threads) : omp_get_max_threads(),
+         threadCount (solver.threads),
          usedPairs (pairs_, multiframe.max_span)}
 {}
 
@@ -124,14 +124,13 @@ MultiFrameSolve::fitExposures (int at, const cv::Mat& labels)
   const SegmentPixels points =
       groupPixels (frames_[reference].levels()[at], labels, scene_.segments, options);
   std::vector<MatchedIntensities> matches (frames_.size());
-#pragma omp parallel for schedule(dynamic, 1) num_threads(scene_.threads)
-  for (int f = 0; f < pairs_.frames(); ++f) {
+  parallelFor (scene_.threads, pairs_.frames(), 1, [&] (int f) {
     if (f == reference)
-      continue;
+      return;
     matches[f] = matchIntensities (
         points, state_.ofPair (pairs_.fromReference (f)), frames_[f].levels()[at]);
     scene_.exposure[f] = fitBrightnessChange (matches[f].reference, matches[f].current);
-  }
+  });
   scene_.falloff = fitFalloff (matches, scene_.exposure);
 }
 
@@ -175,11 +174,10 @@ MultiFrameSolve::carryLabels() const
   std::sort (sources.begin(), sources.end());
   sources.erase (std::unique (sources.begin(), sources.end()), sources.end());
   const int count = static_cast<int> (sources.size());
-#pragma omp parallel for schedule(dynamic, 1) num_threads(scene_.threads)
-  for (int i = 0; i < count; ++i) {
+  parallelFor (scene_.threads, count, 1, [&] (int i) {
     const int f = sources[i];
     labels[f] = labelsIn (f);
-  }
+  });
   return labels;
 }
 

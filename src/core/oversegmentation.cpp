@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/connected_segments.h"
 #include "core/library_segmentations.h"
+#include "core/parallel_for.h"
 #include "core/surface_clusters.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/oversegmentation.h>
@@ -50,15 +51,15 @@ tileLabels (const FrameLevel& level, int size)
 }
 
 cv::Mat
-cut (const RgbdFrame& frame, const SegmentationParameters& parameters)
+cut (const RgbdFrame& frame, const SegmentationParameters& parameters, int threads)
 {
   const FrameLevel& level = frame.levels()[0];
   const int size = parameters.segment_size;
   switch (parameters.method) {
   case SegmentationMethod::Felzenszwalb:
-    return segmentByFelzenszwalb (level, parameters);
+    return segmentByFelzenszwalb (level, parameters, threads);
   case SegmentationMethod::Slic:
-    return segmentBySlic (level, size);
+    return segmentBySlic (level, size, threads);
   case SegmentationMethod::Tiles:
     return tileLabels (level, size);
   case SegmentationMethod::Single:
@@ -69,21 +70,22 @@ cut (const RgbdFrame& frame, const SegmentationParameters& parameters)
   const double noise = frame.inverseDepthNoise();
   const int min_points = std::max (8, size * size / 8);
   return connectSegments (
-      clusterSurfaces (level, noise, size), level, noise, min_points);
+      clusterSurfaces (level, noise, size, threads), level, noise, min_points);
 }
 
 } // namespace
 
 Oversegmentation
 Oversegmentation::fromFrame (const RgbdFrame& frame,
-                             const SegmentationParameters& parameters)
+                             const SegmentationParameters& parameters,
+                             unsigned threads)
 {
   std::string why;
   if (!parameters.isValid (&why))
     throw InvalidInput ("segmentation parameters: " + why);
   if (frame.empty())
     throw InvalidInput ("segmentation: the frame is empty");
-  return fromLabels (cut (frame, parameters), frame);
+  return fromLabels (cut (frame, parameters, threadCount (threads)), frame);
 }
 
 Oversegmentation

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/pose_proposals.h"
 
+#include "core/parallel_for.h"
 #include "core/pose_coupling.h"
 
 #include <algorithm>
@@ -73,9 +74,9 @@ PoseProposals::lookWhoIsSeen (const std::vector<RigidPose>& poses)
   const int segments = static_cast<int> (own_.size());
   present_ = std::vector<UnpackedPose> (poses.begin(), poses.end());
   seen_.assign (segments, 0);
-#pragma omp parallel for schedule(dynamic, 8) num_threads(threads_)
-  for (int k = 0; k < segments; ++k)
+  parallelFor (threads_, segments, 8, [&] (int k) {
     seen_[k] = probes_.probe (k, poses[k]).hidden < kMostlyHidden;
+  });
 }
 
 bool
@@ -116,10 +117,9 @@ PoseProposals::run (int rounds, std::vector<RigidPose>& poses)
   for (int round = 0; round < rounds; ++round) {
     lookWhoIsSeen (poses);
     std::vector<RigidPose> next = poses;
-    int changes = 0;
-#pragma omp parallel for schedule(dynamic, 8) num_threads(threads_) reduction(+ : changes)
-    for (int k = 0; k < segments; ++k)
-      changes += improve (k, poses, round == 0, next[k]) ? 1 : 0;
+    const int changes = parallelSum (threads_, segments, 8, [&] (int k) {
+      return improve (k, poses, round == 0, next[k]) ? 1 : 0;
+    });
     poses.swap (next);
     total += changes;
     if (changes == 0)

@@ -7,6 +7,7 @@
 #include "core/frame_size.h"
 #include "core/noise.h"
 #include "core/normals.h"
+#include "core/opencv_threads.h"
 #include <pcl_msf/cloud_conversions.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/rgbd_frame.h>
@@ -67,7 +68,7 @@ toIntensity (const cv::Mat& color)
   }
   cv::Mat gray = color;
   if (color.channels() == 3)
-    cv::cvtColor (color, gray, cv::COLOR_BGR2GRAY);
+    inThisThread ([&] { cv::cvtColor (color, gray, cv::COLOR_BGR2GRAY); });
   gray.convertTo (intensity, CV_32F, 1.0 / 255.0);
   return intensity;
 }
@@ -92,7 +93,7 @@ halve (const FrameLevel& fine, double noise)
   FrameLevel coarse;
   coarse.camera = fine.camera.halved();
   if (!fine.intensity.empty())
-    cv::pyrDown (fine.intensity, coarse.intensity);
+    inThisThread ([&] { cv::pyrDown (fine.intensity, coarse.intensity); });
   coarse.inverse_depth = halveInverseDepth (fine.inverse_depth, noise);
   coarse.normals = halveNormals (fine.normals);
   return coarse;
@@ -121,8 +122,10 @@ RgbdFrame::fromImages (const cv::Mat& color,
     if (color.type() == CV_8UC3)
       frame.color_ = color.clone();
     if (parameters.smoothing_sigma > 0.0)
-      cv::GaussianBlur (
-          level.intensity, level.intensity, {}, parameters.smoothing_sigma);
+      inThisThread ([&] {
+        cv::GaussianBlur (
+            level.intensity, level.intensity, {}, parameters.smoothing_sigma);
+      });
   }
   if (!normals.empty())
     level.normals = unitOrZero (normals);

@@ -151,7 +151,8 @@ SceneFlowTracker::beginAnew() const
 {
   Window next{
       {frames_.back()}, {indices_.back()}, {frames() - 1}, {}, {}, cameraPose()};
-  next.segments = Oversegmentation::fromFrame (next.frames.front(), segmentation_);
+  next.segments =
+      Oversegmentation::fromFrame (next.frames.front(), segmentation_, solver_.threads);
   next.origin.assign (next.segments.size(), -1);
   return next;
 }
@@ -162,7 +163,7 @@ SceneFlowTracker::add (const RgbdFrame& frame)
   if (frame.empty())
     throw InvalidInput ("the frame is empty");
   if (frames_.empty()) {
-    segments_ = Oversegmentation::fromFrame (frame, segmentation_);
+    segments_ = Oversegmentation::fromFrame (frame, segmentation_, solver_.threads);
     frames_.push_back (frame);
     indices_.push_back (0);
     return;

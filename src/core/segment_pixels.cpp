@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/segment_pixels.h"
 
+#include "core/parallel_for.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -162,20 +164,22 @@ groupPixels (const FrameLevel& level,
     thin (options.max_per_segment, out);
   resizeArrays (out);
   out.centroid.assign (segments, Eigen::Vector3d::Zero());
-  int brightness_count = 0;
-  int icp_count = 0;
-#pragma omp parallel for schedule(dynamic, 16) num_threads(options.threads)            \
-    reduction(+ : brightness_count, icp_count)
-  for (int k = 0; k < segments; ++k) {
+  std::atomic<int> brightness_count{0};
+  std::atomic<int> icp_count{0};
+  parallelFor (options.threads, segments, 16, [&] (int k) {
+    int brightness = 0;
+    int icp = 0;
     for (int i = out.begin[k]; i < out.begin[k + 1]; ++i) {
       fillPoint (level, options, i, out);
       out.centroid[k] += Eigen::Vector3d (out.x[i], out.y[i], out.z[i]);
-      brightness_count += out.brightness_scale[i] > 0.0f;
-      icp_count += out.icp_scale[i] > 0.0f;
+      brightness += out.brightness_scale[i] > 0.0f;
+      icp += out.icp_scale[i] > 0.0f;
     }
     if (out.size (k) > 0)
       out.centroid[k] /= out.size (k);
-  }
+    brightness_count += brightness;
+    icp_count += icp;
+  });
   out.brightness_count = brightness_count;
   out.icp_count = icp_count;
   return out;

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "core/data_kernel_impl.h"
+#include "core/parallel_for.h"
 #include "core/surface_sample.h"
 
 #include <algorithm>
@@ -154,9 +155,7 @@ judgeLinks (const DataTerm& data,
   const LinkJudge judge (data, state);
   std::vector<LinkEvidence> evidence (links.size(), LinkEvidence::None);
   const int n = static_cast<int> (links.size());
-#pragma omp parallel for schedule(dynamic, 16) num_threads(threads)
-  for (int i = 0; i < n; ++i)
-    evidence[i] = judge.judge (links[i]);
+  parallelFor (threads, n, 16, [&] (int i) { evidence[i] = judge.judge (links[i]); });
   return evidence;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/surface_clusters.h"
 
+#include "core/parallel_for.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -29,8 +31,9 @@ struct Sums {
 
 class Clusterer {
 public:
-  Clusterer (const FrameLevel& level, double noise, int size)
+  Clusterer (const FrameLevel& level, double noise, int size, int threads)
   : level_ (level)
+  , threads_ (threads)
   , noise_ (static_cast<float> (noise))
   , step_ (static_cast<float> (size))
   , columns_ (std::max (1, (level.width() + size / 2) / size))
@@ -68,6 +71,7 @@ private:
   }
 
   const FrameLevel& level_;
+  int threads_;
   float noise_;
   float step_;
   int columns_;
@@ -130,13 +134,14 @@ Clusterer::nearest (int x, int y, float w, float intensity) const
 void
 Clusterer::assign (int stride)
 {
-#pragma omp parallel for schedule(static)
-  for (int y = 0; y < level_.height(); y += stride) {
+  const int rows = (level_.height() + stride - 1) / stride;
+  parallelFor (threads_, rows, 8, [&] (int row) {
+    const int y = row * stride;
     const float* w = level_.inverse_depth.ptr<float> (y);
     int* labels = labels_.ptr<int> (y);
     for (int x = 0; x < level_.width(); x += stride)
       labels[x] = w[x] > 0.0f ? nearest (x, y, w[x], intensityAt (x, y)) : -1;
-  }
+  });
 }
 
 void
@@ -193,9 +198,12 @@ Clusterer::update (int stride)
 } // namespace
 
 cv::Mat
-clusterSurfaces (const FrameLevel& level, double inverse_depth_noise, int size)
+clusterSurfaces (const FrameLevel& level,
+                 double inverse_depth_noise,
+                 int size,
+                 int threads)
 {
-  return Clusterer (level, inverse_depth_noise, size).run();
+  return Clusterer (level, inverse_depth_noise, size, threads).run();
 }
 
 } // namespace pcl_msf

@@ -16,7 +16,10 @@ namespace pcl_msf {
  * affine in inverse depth, so a receding floor is one surface and a depth edge is not.
  * \param size aimed side of a cluster, pixels */
 cv::Mat
-clusterSurfaces (const FrameLevel& level, double inverse_depth_noise, int size);
+clusterSurfaces (const FrameLevel& level,
+                 double inverse_depth_noise,
+                 int size,
+                 int threads);
 
 /** \brief Standard deviation that a pixel of inverse depth w is judged by when asking
  * whether it lies on a plane: the noise, and a share of w for what is not plane. */

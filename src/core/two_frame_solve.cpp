@@ -9,7 +9,7 @@
 #include "core/dense_visibility.h"
 #include "core/hidden_segments.h"
 #include "core/outcome.h"
-#include <omp.h>
+#include "core/parallel_for.h"
 
 #include <algorithm>
 
@@ -23,12 +23,6 @@ constexpr double kModelError = 0.15; // pixels that rigid segments leave unexpla
 constexpr double kRelativeDepthNoise = 0.003; // of inverse depth, beside the noise
 constexpr int kLaterRounds = 2;
 constexpr int kLastIterations = 4; // after the last merge
-
-int
-threadCount (unsigned wanted)
-{
-  return wanted > 0 ? static_cast<int> (wanted) : omp_get_max_threads();
-}
 
 } // namespace
 

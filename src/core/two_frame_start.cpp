@@ -34,7 +34,7 @@ TwoFrameSolve::start (const RigidPose& guess)
   };
   FlowHypotheses flow;
   if (solver_.flow_proposals && frames_[0].hasIntensity()) {
-    flow = lift (estimateOpticalFlow (frames_[0], frames_[1]));
+    flow = lift (estimateOpticalFlow (frames_[0], frames_[1], scene_.threads));
     scene_.change = fitBrightnessChange (flow.pairs_reference, flow.pairs_current);
     for (float& intensity : points.intensity)
       intensity = scene_.change.gain * intensity + scene_.change.offset;
@@ -54,7 +54,7 @@ TwoFrameSolve::start (const RigidPose& guess)
       std::find (wanted.begin(), wanted.end(), 1) != wanted.end())
     propose (probes,
              reference.camera.fx,
-             lift (estimateDepthFlow (frames_[0], frames_[1])),
+             lift (estimateDepthFlow (frames_[0], frames_[1], scene_.threads)),
              kStartRounds);
 }
 

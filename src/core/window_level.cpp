@@ -4,6 +4,7 @@
 
 #include "core/body_noise.h"
 #include "core/exposure.h"
+#include "core/parallel_for.h"
 
 namespace pcl_msf {
 
@@ -46,9 +47,9 @@ WindowLevel::WindowLevel (const WindowScene& scene,
 {
   const int count = static_cast<int> (scene.frames.size());
   const bool many = count > 2; // else threads share a frame's points
-#pragma omp parallel for schedule(dynamic, 1) num_threads(scene.threads) if (many)
-  for (int f = 0; f < count; ++f)
+  parallelFor (many ? scene.threads : 1, count, 1, [&] (int f) {
     prepareFrame (f, level, labels[f], many ? 1 : scene.threads);
+  });
   for (const int p : scene.used) {
     const FramePairs::Pair& pair = scene.pairs[p];
     const auto term = [&] (const SegmentPixels& points) {

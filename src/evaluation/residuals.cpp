@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <opencv2/imgproc.hpp>
 
+#include "core/opencv_threads.h"
 #include "evaluation/check_images.h"
 #include <pcl_msf/evaluation/flow_errors.h>
 #include <pcl_msf/evaluation/residuals.h>
@@ -27,7 +28,7 @@ gray (const char* name, const cv::Mat& color, const cv::Size& size)
   }
   requireImage (name, color, CV_8UC3, size);
   cv::Mat result;
-  cv::cvtColor (color, result, cv::COLOR_BGR2GRAY);
+  inThisThread ([&] { cv::cvtColor (color, result, cv::COLOR_BGR2GRAY); });
   return result;
 }
 
@@ -63,8 +64,10 @@ photometricResiduals (const cv::Mat& flow,
       const bool known = std::isfinite (f[0] + f[1]);
       target.at<cv::Vec2f> (y, x) = cv::Vec2f (x, y) + (known ? f : cv::Vec2f());
     }
-  cv::remap (
-      second, warped, target, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  inThisThread ([&] {
+    cv::remap (
+        second, warped, target, cv::noArray(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  });
   std::vector<double> residuals;
   for (int y = 0; y < flow.rows; ++y)
     for (int x = 0; x < flow.cols; ++x)

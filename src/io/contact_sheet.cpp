@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <opencv2/imgproc.hpp>
 
+#include "core/opencv_threads.h"
 #include "io/figure_parts.h"
 #include <pcl_msf/io/figures.h>
 
@@ -20,12 +21,14 @@ scaled (const cv::Mat& picture, int width)
   const double scale = static_cast<double> (width) / picture.cols;
   const int height = std::max (1, cvRound (picture.rows * scale));
   cv::Mat result;
-  cv::resize (picture,
-              result,
-              {width, height},
-              0.0,
-              0.0,
-              scale < 1.0 ? cv::INTER_AREA : cv::INTER_LINEAR);
+  inThisThread ([&] {
+    cv::resize (picture,
+                result,
+                {width, height},
+                0.0,
+                0.0,
+                scale < 1.0 ? cv::INTER_AREA : cv::INTER_LINEAR);
+  });
   return asBgr (result, {});
 }
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <opencv2/imgproc.hpp>
 
+#include "core/opencv_threads.h"
 #include "io/figure_parts.h"
 #include <pcl_msf/io/figures.h>
 
@@ -243,7 +244,7 @@ convergencePlot (const Report& report, const cv::Size& size)
             black);
   drawNames (plot, area, report.history, letters);
   cv::Mat result;
-  cv::resize (plot, result, size, 0.0, 0.0, cv::INTER_AREA);
+  inThisThread ([&] { cv::resize (plot, result, size, 0.0, 0.0, cv::INTER_AREA); });
   return result;
 }
 

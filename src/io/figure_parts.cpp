@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/number_text.h"
+#include "core/opencv_threads.h"
 
 #include <algorithm>
 
@@ -33,7 +34,7 @@ asBgr (const cv::Mat& image, const cv::Size& size)
              (image.channels() == 1 || image.channels() == 3));
   cv::Mat bgr;
   if (image.channels() == 1)
-    cv::cvtColor (image, bgr, cv::COLOR_GRAY2BGR);
+    inThisThread ([&] { cv::cvtColor (image, bgr, cv::COLOR_GRAY2BGR); });
   else
     image.copyTo (bgr);
   return bgr;
@@ -45,7 +46,7 @@ asGray (const cv::Mat& image)
   if (image.channels() == 1)
     return image;
   cv::Mat gray;
-  cv::cvtColor (image, gray, cv::COLOR_BGR2GRAY);
+  inThisThread ([&] { cv::cvtColor (image, gray, cv::COLOR_BGR2GRAY); });
   return gray;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <opencv2/imgproc.hpp>
 
+#include "core/opencv_threads.h"
 #include "io/figure_parts.h"
 #include <pcl_msf/io/figures.h>
 
@@ -52,7 +53,7 @@ colorize (const cv::Mat& shares, int color_map)
           cv::saturate_cast<unsigned char> (std::isfinite (share) ? 255.0F * share : 0);
     }
   cv::Mat colors;
-  cv::applyColorMap (levels, colors, color_map);
+  inThisThread ([&] { cv::applyColorMap (levels, colors, color_map); });
   cv::Mat picture (shares.size(), CV_8UC3, cv::Scalar::all (0));
   colors.copyTo (picture, known);
   return picture;

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <opencv2/imgproc.hpp>
 
+#include "core/opencv_threads.h"
 #include "io/figure_parts.h"
 #include <pcl_msf/io/figures.h>
 
@@ -65,7 +66,8 @@ weightsPicture (const cv::Mat& image, const SceneFlow& flow)
       asGray (image.empty() ? asBgr (image, flow.labels.size()) : image);
   const double scale = gray.cols < 1000 ? 2.0 : 1.0; // lines need pixels of their own
   cv::Mat picture;
-  cv::resize (kDark * gray, picture, {}, scale, scale, cv::INTER_LINEAR);
+  inThisThread (
+      [&] { cv::resize (kDark * gray, picture, {}, scale, scale, cv::INTER_LINEAR); });
   picture = asBgr (picture, {});
   std::array<int, kStrengths.size()> count{};
   for (std::size_t i = 0; i < kStrengths.size(); ++i)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/parallel_for.h"
 #include <synthetic/color_renderer.h>
 
 #include <algorithm>
@@ -65,14 +66,13 @@ ColorRenderer::render (const FrameView& view,
 {
   const cv::Size size = view.size();
   cv::Mat image (size, CV_32FC3);
-#pragma omp parallel for schedule(dynamic, 4) num_threads(threads)
-  for (int v = 0; v < size.height; ++v) {
+  parallelFor (threads, size.height, 4, [&] (int v) {
     auto* row = image.ptr<cv::Vec3f> (v);
     for (int u = 0; u < size.width; ++u) {
       const Eigen::Vector3f color = pixelColor (view, hits, u, v);
       row[u] = {color.x(), color.y(), color.z()};
     }
-  }
+  });
   return image;
 }
 

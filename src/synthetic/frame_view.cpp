@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/parallel_for.h"
 #include <synthetic/frame_view.h>
 
 #include <algorithm>
@@ -67,10 +68,10 @@ castPixels (const FrameView& view, int threads)
 {
   const cv::Size size = view.size();
   std::vector<ViewHit> hits (static_cast<std::size_t> (size.area()));
-#pragma omp parallel for schedule(dynamic, 4) num_threads(threads)
-  for (int v = 0; v < size.height; ++v)
+  parallelFor (threads, size.height, 4, [&] (int v) {
     for (int u = 0; u < size.width; ++u)
       hits[static_cast<std::size_t> (v) * size.width + u] = view.cast (u, v);
+  });
   return hits;
 }
 

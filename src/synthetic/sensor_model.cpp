@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/parallel_for.h"
 #include <synthetic/sensor_model.h>
 
 #include <algorithm>
@@ -76,8 +77,7 @@ applyKinectDepth (const FrameView& view,
 {
   const cv::Mat exact = depth.clone();
   const double scale = view.camera().fx / 580.0;
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (int v = 0; v < depth.rows; ++v) {
+  parallelFor (threads, depth.rows, 4, [&] (int v) {
     std::vector<char> dark (depth.cols);
     shadowRow (exact.ptr<float> (v), depth.cols, scale, dark);
     auto* row = depth.ptr<float> (v);
@@ -95,7 +95,7 @@ applyKinectDepth (const FrameView& view,
       if (rounded >= 1.0)
         row[u] = static_cast<float> (focal_times_baseline / rounded);
     }
-  }
+  });
 }
 
 void
@@ -103,8 +103,7 @@ applyKinectColor (std::uint64_t key, int threads, cv::Mat& color)
 {
   const double gain = 1.0 + 0.03 * (2.0 * uniformFrom (mixed (key) + 1) - 1.0);
   const double cx = 0.5 * (color.cols - 1), cy = 0.5 * (color.rows - 1);
-#pragma omp parallel for schedule(static) num_threads(threads)
-  for (int v = 0; v < color.rows; ++v) {
+  parallelFor (threads, color.rows, 4, [&] (int v) {
     auto* row = color.ptr<cv::Vec3f> (v);
     for (int u = 0; u < color.cols; ++u) {
       const double x = u - cx, y = v - cy;
@@ -115,7 +114,7 @@ applyKinectColor (std::uint64_t key, int threads, cv::Mat& color)
             bright * row[u][c] +
             color_noise * normalFrom (pixelKey (key ^ 0x5bd1e995ULL, u, v, c)));
     }
-  }
+  });
 }
 
 } // namespace synthetic

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include <omp.h>
+#include "core/parallel_for.h"
 #include <pcl_msf/errors.h>
 #include <synthetic/color_renderer.h>
 #include <synthetic/sensor_model.h>
@@ -66,8 +66,7 @@ class Studio {
 public:
   explicit Studio (const SequenceOptions& options)
   : options_ (options)
-  , threads_ (options.threads > 0 ? static_cast<int> (options.threads)
-                                  : omp_get_max_threads())
+  , threads_ (threadCount (options.threads))
   , scene_ (buildScene (options.scene, options.seed))
   , camera_ (cameraOf (options))
   , renderer_ (scene_, options.seed, options.supersampling)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/parallel_for.h"
 #include <synthetic/truth.h>
 
 #include <algorithm>
@@ -72,8 +73,7 @@ truthBetween (const FrameView& from,
   truth.flow = cv::Mat (size, CV_32FC2, cv::Scalar::all (nan));
   truth.scene_flow = cv::Mat (size, CV_32FC3, cv::Scalar::all (nan));
   truth.visible = cv::Mat::zeros (size, CV_8UC1);
-#pragma omp parallel for schedule(dynamic, 4) num_threads(threads)
-  for (int v = 0; v < size.height; ++v)
+  parallelFor (threads, size.height, 4, [&] (int v) {
     for (int u = 0; u < size.width; ++u) {
       const ViewHit& hit = hits[static_cast<std::size_t> (v) * size.width + u];
       if (hit.part < 0)
@@ -90,6 +90,7 @@ truthBetween (const FrameView& from,
       if (isSeen (to, later, uv))
         truth.visible.at<unsigned char> (v, u) = 255;
     }
+  });
   return truth;
 }
 

@@ -57,7 +57,7 @@ concatenate (const std::vector<RgbdFrame>& frames)
   std::vector<SceneFlow> steps;
   for (std::size_t k = 0; k + 1 < frames.size(); ++k)
     steps.push_back (SceneFlowEstimator().estimate (
-        frames[k], frames[k + 1], Oversegmentation::fromFrame (frames[k])));
+        frames[k], frames[k + 1], Oversegmentation::fromFrame (frames[k], {}, 0)));
   total = steps[0];
   const PinholeCamera& camera = total.camera;
   const cv::Size size = total.flow.size();
@@ -134,7 +134,7 @@ printRow (const std::string& path, int count, const MultiframeParameters& parame
     frames.push_back (makeFrame (image));
   const double prepare = millisecondsSince (start);
   start = Clock::now();
-  const Oversegmentation segments = Oversegmentation::fromFrame (frames[0]);
+  const Oversegmentation segments = Oversegmentation::fromFrame (frames[0], {}, 0);
   const double cut = millisecondsSince (start);
   start = Clock::now();
   const SceneFlow direct =

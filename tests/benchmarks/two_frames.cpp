@@ -44,7 +44,7 @@ estimateOnce (const io::RgbdImages& reference, const io::RgbdImages& current)
       RgbdFrame::fromImages (reference.color, reference.depth, reference.camera);
   const RgbdFrame second = later.get();
   return SceneFlowEstimator().estimate (
-      first, second, Oversegmentation::fromFrame (first));
+      first, second, Oversegmentation::fromFrame (first, {}, 0));
 }
 
 Run

@@ -157,7 +157,7 @@ PiecewiseRigidRegistration<PointT>::cutSegments (const RgbdFrame& reference,
     SegmentationParameters cut = segmentation_;
     if (rigid_)
       cut.method = SegmentationMethod::Single;
-    segments = Oversegmentation::fromFrame (reference, cut);
+    segments = Oversegmentation::fromFrame (reference, cut, getNumberOfThreads());
   }
   if (points.size() == aligned_->size())
     return segments;
