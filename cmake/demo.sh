@@ -52,7 +52,7 @@ configure -DPCL_MSF_BUILD_EXAMPLES=ON "${tests[@]}"
 build pcl_msf_synthesize pcl_msf_scene_flow pcl_msf_flow_error pcl_msf_report
 # Renders need VTK; without it everything else is there.
 renders=""
-if cmake --build "$build_dir" --target help | grep -q pcl_msf_render; then
+if cmake --build "$build_dir" --target help | grep pcl_msf_render >/dev/null; then
   renders=yes
   build pcl_msf_render
 fi

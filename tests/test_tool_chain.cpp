@@ -193,6 +193,19 @@ TEST_F (ToolChain, RendersOfAnotherResultDoNotSurvive)
                  {"is the recording"});
 }
 
+TEST_F (ToolChain, RendersGoWithTheResultThatTheyShow)
+{
+  if (!hasTool ("render"))
+    GTEST_SKIP() << "no VTK";
+  synthesize ("seq", 2);
+  const std::string out = folder_ ("out");
+  expectSuccess ("scene_flow", folder_ ("seq") + " --quiet --output " + out);
+  expectSuccess ("render", out + " --quiet --kind warped --output " + out);
+  ASSERT_TRUE (fs::exists (out + "/warped.png"));
+  expectSuccess ("scene_flow", folder_ ("seq") + " --quiet --output " + out);
+  EXPECT_FALSE (fs::exists (out + "/warped.png")) << "of a result that is gone";
+}
+
 /** Every tool that writes a file refuses one that it reads. */
 TEST_F (ToolChain, NoOutputIsAnInput)
 {

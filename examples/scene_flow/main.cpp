@@ -5,6 +5,7 @@
 
 #include "common/input_files.h"
 #include "common/output_folder.h"
+#include "common/output_manifest.h"
 #include "common/tool_main.h"
 #include "options.h"
 #include "output.h"
@@ -22,6 +23,7 @@ using namespace pcl_msf::tool;
 
 constexpr const char* kProgram = "pcl_msf_scene_flow";
 constexpr int kNotConverged = 3; // exit status; everything was written
+constexpr const char* kRender = "pcl_msf_render";
 
 void
 printSummary (const Outcome& outcome, const std::string& folder)
@@ -109,7 +111,10 @@ public:
   , folder_ (options.output, kProgram)
   , trajectory_ (inputs.frames() > 2 || options.track)
   {
-    folder_.check (inputFiles (options), [&inputs] (const std::string& name) {
+    const InputFiles files = inputFiles (options);
+    for (const std::string& name : renders (OutputManifest (options.output, kRender)))
+      requireNoInput ("--output", options.output + "/" + name, files);
+    folder_.check (files, [&inputs] (const std::string& name) {
       return isResultName (name, inputs.frames());
     });
   }
@@ -130,6 +135,10 @@ public:
   finish ()
   {
     folder_.finish();
+    OutputManifest pictures (options_.output, kRender);
+    for (const std::string& name : renders (pictures))
+      pictures.remove (name);
+    pictures.write();
   }
   /** Has all that was written? */
   bool
@@ -139,6 +148,17 @@ public:
   }
 
 private:
+  /** What pcl_msf_render has drawn into the folder of the result that is in it. */
+  std::vector<std::string>
+  renders (const OutputManifest& pictures) const
+  {
+    const std::string result = std::filesystem::canonical (options_.output).string();
+    std::vector<std::string> names;
+    for (const auto& [name, entry] : pictures.entries())
+      if (entry.group.rfind (result + " ", 0) == 0)
+        names.push_back (name);
+    return names;
+  }
   static InputFiles
   inputFiles (const Options& options)
   {

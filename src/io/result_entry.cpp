@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/number_text.h"
 #include "io/classic_locale.h"
 #include "io/figure_parts.h"
-#include "io/number_text.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/html_report.h>
 
