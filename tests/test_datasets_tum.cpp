@@ -177,6 +177,27 @@ TEST (Tum, StampsInSmallerUnitsBecomeSeconds)
   EXPECT_EQ (sequence->cameraPose (0)->parameters[4], 2.0);
 }
 
+TEST (Tum, TimesSinceTheStartGetTheUnitOfTheOtherList)
+{
+  const std::vector<io::TimedFile> seconds{{1.0, "a"}, {1.033, "b"}, {1.066, "c"}};
+  for (const double unit : {1e3, 1e6, 1e9})
+    for (const bool is_first : {true, false}) {
+      std::vector<io::TimedFile> first = seconds, second = seconds;
+      for (io::TimedFile& file : is_first ? first : second)
+        file.time = (file.time + 0.004) * unit;
+      io::matchUnits (first, second, 0.02);
+      EXPECT_EQ (io::associate (first, second, 0.02).size(), 3u) << unit;
+      EXPECT_NEAR (first[1].time, 1.035, 0.003);
+    }
+  // All of one list becomes nearly the same time: no unit, but other clocks.
+  std::vector<io::TimedFile> first = seconds;
+  std::vector<io::TimedFile> second{{1000000001.0, "p"}, {1000000011.0, "q"}};
+  first.insert (first.begin(), {{0.1, "x"}, {0.2, "y"}});
+  second.push_back ({1000000021.0, "r"});
+  io::matchUnits (first, second, 0.02);
+  EXPECT_EQ (second.front().time, 1000000001.0);
+}
+
 TEST (Tum, NamesWhatIsDamaged)
 {
   const TemporaryFolder folder;

@@ -85,7 +85,9 @@ decodeImage (const std::string& path, int flags, const std::string& field)
 {
   InputFile file (path);
   if (file.remaining() == 0 || file.remaining() > kLargestFile)
-    file.fail (field, "empty or larger than 1 GB; give an image");
+    file.fail (field,
+               std::to_string (file.remaining()) +
+                   " bytes, and 1 to 2^30 are read; give an image");
   Bytes bytes (file.remaining());
   file.read (bytes.data(), bytes.size(), field);
   if (isPng (bytes))

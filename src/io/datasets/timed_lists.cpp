@@ -121,6 +121,26 @@ associate (const std::vector<TimedFile>& first,
   return pairs;
 }
 
+void
+matchUnits (std::vector<TimedFile>& first,
+            std::vector<TimedFile>& second,
+            double max_difference)
+{
+  if (first.empty() || second.empty() ||
+      !associate (first, second, max_difference).empty())
+    return;
+  auto& larger = first.back().time > second.back().time ? first : second;
+  const std::vector<TimedFile> given = larger;
+  for (const double unit : {1e3, 1e6, 1e9}) {
+    for (std::size_t i = 0; i < given.size(); ++i)
+      larger[i].time = given[i].time / unit;
+    if (2 * associate (first, second, max_difference).size() >=
+        std::min (first.size(), second.size()))
+      return;
+  }
+  larger = given;
+}
+
 std::string
 nothingAssociated (const std::vector<TimedFile>& first,
                    const std::vector<TimedFile>& second,

@@ -39,6 +39,15 @@ associate (const std::vector<TimedFile>& first,
            const std::vector<TimedFile>& second,
            double max_difference);
 
+/** \brief For lists of different units that secondsOf cannot tell, as times since the
+ * start: divides the larger times by a thousand, a million or a billion when then half
+ * of the shorter list is associated. Lists that are associated already stay as they
+ * are. */
+void
+matchUnits (std::vector<TimedFile>& first,
+            std::vector<TimedFile>& second,
+            double max_difference);
+
 /** \brief What to say when nothing is associated: the two times that are closest, and
  * the remedy. \param where names of both lists */
 std::string

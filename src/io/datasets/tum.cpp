@@ -36,8 +36,9 @@ openOne (const std::string& name,
          const std::string& folder,
          const DatasetOptions& options)
 {
-  const auto color = readTimedFiles (inside (folder, "rgb.txt"));
-  const auto depth = readTimedFiles (inside (folder, "depth.txt"));
+  auto color = readTimedFiles (inside (folder, "rgb.txt"));
+  auto depth = readTimedFiles (inside (folder, "depth.txt"));
+  matchUnits (color, depth, options.max_time_difference);
   const std::string trajectory = inside (folder, "groundtruth.txt");
   const auto poses =
       isFile (trajectory) ? readTrajectory (trajectory) : std::vector<TimedPose>();
