@@ -5,6 +5,7 @@
 #include "support/window_scene.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/piecewise_rigid_tracker.h>
+#include <pcl_msf/scene_flow_estimator.h>
 
 #include <cmath>
 #include <cstring>
@@ -162,8 +163,19 @@ TEST (SceneFlowTracker, WindowOfTwoIsFrameToFrame)
   TrackerParameters parameters;
   parameters.window = 2;
   SceneFlowTracker tracker = makeTracker (parameters);
-  for (const test::View& view : test::renderWindow (scene, 3))
-    tracker.add (scene.frame (view));
+  std::vector<RgbdFrame> frames;
+  RigidPose last_step;
+  for (const test::View& view : test::renderWindow (scene, 3)) {
+    frames.push_back (scene.frame (view));
+    tracker.add (frames.back());
+    if (frames.size() < 2)
+      continue;
+    const SceneFlow pair = SceneFlowEstimator().estimate (
+        frames[frames.size() - 2], frames.back(), tracker.segments(), last_step);
+    EXPECT_EQ (cv::norm (tracker.sceneFlow().flow, pair.flow, cv::NORM_INF), 0.0);
+    EXPECT_EQ (tracker.sceneFlow().report.iterations, pair.report.iterations);
+    last_step = pair.dominant_motion;
+  }
   EXPECT_EQ (tracker.frames(), 2);
   EXPECT_EQ (tracker.firstFrame(), 1);
 }

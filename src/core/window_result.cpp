@@ -2,15 +2,15 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/dense_points.h"
 #include "core/dense_result.h"
-#include "core/multi_frame_solve.h"
+#include "core/window_solve.h"
 
 #include <algorithm>
 
-/* The results of MultiFrameSolve, from its last round. */
+/* The results of WindowSolve, at the level of its last round. */
 namespace pcl_msf {
 
 SceneFlow
-MultiFrameSolve::resultFor (int frame)
+WindowSolve::resultFor (int frame)
 {
   const int pair = pairs_.fromReference (frame);
   const DataTerm& data = level_->data (pair);
@@ -29,9 +29,10 @@ MultiFrameSolve::resultFor (int frame)
 }
 
 MultiframeSceneFlow
-MultiFrameSolve::finish()
+WindowSolve::finish()
 {
   const double before = monitor_.seconds();
+  level_->sweep (state_, DataTerm::Pass::Linearize); // bodies may have changed
   MultiframeSceneFlow result;
   result.reference = pairs_.reference();
   for (int f = 0; f < pairs_.frames(); ++f)
@@ -48,7 +49,7 @@ MultiFrameSolve::finish()
 }
 
 void
-MultiFrameSolve::concludeReport (MultiframeSceneFlow& result)
+WindowSolve::concludeReport (MultiframeSceneFlow& result)
 {
   report_.iterations = monitor_.iterations();
   report_.history = monitor_.history();
@@ -69,10 +70,11 @@ MultiFrameSolve::concludeReport (MultiframeSceneFlow& result)
     if (determined || f == pairs_.reference())
       continue;
     report_.converged = false;
-    report_.message =
-        "no segment's motion to frame " + std::to_string (f) +
-        " of the window is determined: the scene shows too little texture "
-        "and shape, or the frames show different places";
+    const std::string to =
+        isPair() ? "" : " to frame " + std::to_string (f) + " of the window";
+    report_.message = "no segment's motion" + to +
+                      " is determined: the scene shows too little texture and shape, "
+                      "or the frames show different places";
   }
   for (SceneFlow& flow : result.frames)
     flow.report = report_;
