@@ -81,6 +81,21 @@ TEST (MultiframeEstimator, TwoFramesAreAPair)
   EXPECT_EQ (window.report().iterations, pair.report.iterations);
 }
 
+TEST (MultiframeEstimator, PriorOfABackgroundIsNoOtherMethodForTwoFrames)
+{
+  // Nothing here is in doubt about its body: the prior has nothing to decide.
+  const Room room (2);
+  const Oversegmentation segments = room.segments (0);
+  const SceneFlow pair =
+      SceneFlowEstimator().estimate (room.frames[0], room.frames[1], segments);
+  MultiframeParameters parameters;
+  parameters.static_background = true;
+  const MultiframeSceneFlow window =
+      MultiframeEstimator ({}, {}, parameters).estimate (room.frames, 0, segments);
+  EXPECT_TRUE (sameBits (window.frames[1].flow, pair.flow));
+  EXPECT_EQ (window.report().iterations, pair.report.iterations);
+}
+
 TEST (MultiframeEstimator, FollowsBodiesOverThreeFramesFromAnyReference)
 {
   const Room room (3);

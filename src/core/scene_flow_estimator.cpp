@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/frame_size.h"
-#include "core/two_frame_solve.h"
+#include "core/window_solve.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/scene_flow_estimator.h>
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace pcl_msf {
 
@@ -60,7 +61,9 @@ SceneFlowEstimator::estimate (const RgbdFrame& reference,
                               const RigidPose& guess) const
 {
   requireUsable (reference, current, segments, guess);
-  return TwoFrameSolve (reference, current, segments, energy_, solver_).run (guess);
+  const std::vector<RgbdFrame> frames{reference, current};
+  WindowSolve solve (frames, 0, segments, energy_, solver_, {});
+  return std::move (solve.run (guess).frames[1]);
 }
 
 SceneFlow
@@ -76,9 +79,10 @@ SceneFlowEstimator::estimateFrom (const RgbdFrame& reference,
                         " segments; give one each");
   for (const RigidPose& pose : start)
     requireSane (pose, "a start pose");
-  TwoFrameSolve solve (reference, current, segments, energy_, solver_);
+  const std::vector<RgbdFrame> frames{reference, current};
+  WindowSolve solve (frames, 0, segments, energy_, solver_, {});
   solve.startFrom (start);
-  return solve.run ({});
+  return std::move (solve.run ({}).frames[1]);
 }
 
 } // namespace pcl_msf

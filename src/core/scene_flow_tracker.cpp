@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/label_use.h"
-#include "core/multi_frame_solve.h"
+#include "core/window_solve.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/scene_flow_estimator.h>
 #include <pcl_msf/scene_flow_tracker.h>
@@ -203,7 +203,7 @@ void
 SceneFlowTracker::solve (Window window)
 {
   const std::vector<RgbdFrame> frames (window.frames.begin(), window.frames.end());
-  MultiFrameSolve joint (frames, 0, window.segments, energy_, solver_, multiframe_);
+  WindowSolve joint (frames, 0, window.segments, energy_, solver_, multiframe_);
   const RigidPose last_step =
       result_.frames.size() < 2
           ? RigidPose{}

@@ -3,14 +3,14 @@
 #include "core/dense_points.h"
 #include "core/dense_result.h"
 #include "core/dense_visibility.h"
-#include "core/multi_frame_solve.h"
 #include "core/outcome.h"
+#include "core/window_solve.h"
 
-/* The results of MultiFrameSolve, from its last round. */
+/* The results of WindowSolve, at the level of its last round. */
 namespace pcl_msf {
 
 SceneFlow
-MultiFrameSolve::resultFor (int frame)
+WindowSolve::resultFor (int frame)
 {
   const int pair = pairs_.fromReference (frame);
   const DataTerm& data = level_->data (pair);
@@ -30,9 +30,10 @@ MultiFrameSolve::resultFor (int frame)
 }
 
 MultiframeSceneFlow
-MultiFrameSolve::finish()
+WindowSolve::finish()
 {
   const double before = monitor_.seconds();
+  level_->sweep (state_, DataTerm::Pass::Linearize); // bodies may have changed
   MultiframeSceneFlow result;
   result.reference = pairs_.reference();
   for (int f = 0; f < pairs_.frames(); ++f)
@@ -49,7 +50,7 @@ MultiFrameSolve::finish()
 }
 
 void
-MultiFrameSolve::concludeReport (MultiframeSceneFlow& result)
+WindowSolve::concludeReport (MultiframeSceneFlow& result)
 {
   report_.iterations = monitor_.iterations();
   report_.history = monitor_.history();
@@ -60,7 +61,7 @@ MultiFrameSolve::concludeReport (MultiframeSceneFlow& result)
       continue;
     judgements.push_back (
         judgeMotion (reference, frames_[f], scene_.noise.intensity, result.frames[f]));
-    judgements.back().frame = f;
+    judgements.back().frame = isPair() ? -1 : f;
   }
   conclude (
       cancelled_ ? StopReason::Cancelled : monitor_.stopReason(), judgements, report_);

@@ -22,15 +22,16 @@ struct KnownStep {
 };
 
 /** \brief What a window's optimization starts from (section 3.3): adjacent frames by
- * the two-frame solver, segments carried from frame to frame, others by concatenation.
+ * the solver of two frames, segments carried from frame to frame, others by
+ * concatenation.
  */
-class MultiFrameStart {
+class WindowStart {
 public:
-  MultiFrameStart (const std::vector<RgbdFrame>& frames,
-                   const FramePairs& pairs,
-                   const Oversegmentation& segments,
-                   const EnergyParameters& energy,
-                   const SolverParameters& solver);
+  WindowStart (const std::vector<RgbdFrame>& frames,
+               const FramePairs& pairs,
+               const Oversegmentation& segments,
+               const EnergyParameters& energy,
+               const SolverParameters& solver);
 
   /** \param guess of the first solve from the reference
    * \param known steps that need no solve */

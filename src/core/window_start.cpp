@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "core/multi_frame_start.h"
+#include "core/window_start.h"
 
 #include "core/concatenation_cost.h"
 #include "core/segment_carrier.h"
 #include "core/segment_graph.h"
-#include "core/two_frame_solve.h"
+#include "core/window_solve.h"
 
 #include <algorithm>
 #include <map>
@@ -36,11 +36,11 @@ labelsInUse (const cv::Mat& labels, const cv::Mat& inverse_depth, int segments)
 
 } // namespace
 
-MultiFrameStart::MultiFrameStart (const std::vector<RgbdFrame>& frames,
-                                  const FramePairs& pairs,
-                                  const Oversegmentation& segments,
-                                  const EnergyParameters& energy,
-                                  const SolverParameters& solver)
+WindowStart::WindowStart (const std::vector<RgbdFrame>& frames,
+                          const FramePairs& pairs,
+                          const Oversegmentation& segments,
+                          const EnergyParameters& energy,
+                          const SolverParameters& solver)
 : frames_ (frames)
 , pairs_ (pairs)
 , segments_ (segments)
@@ -58,7 +58,7 @@ MultiFrameStart::MultiFrameStart (const std::vector<RgbdFrame>& frames,
 }
 
 void
-MultiFrameStart::run (const RigidPose& guess, const std::vector<KnownStep>& known)
+WindowStart::run (const RigidPose& guess, const std::vector<KnownStep>& known)
 {
   linkSegments();
   for (const int direction : {1, -1}) {
@@ -84,7 +84,7 @@ MultiFrameStart::run (const RigidPose& guess, const std::vector<KnownStep>& know
 
 /** The two-frame solution of two adjacent frames, with the segments carried so far. */
 void
-MultiFrameStart::solveStep (int from, int to, const RigidPose& guess)
+WindowStart::solveStep (int from, int to, const RigidPose& guess)
 {
   const FrameLevel& level = frames_[from].levels()[0];
   const std::vector<int> seen =
@@ -99,30 +99,32 @@ MultiFrameStart::solveStep (int from, int to, const RigidPose& guess)
   SolverParameters solver = solver_;
   if (solver.max_seconds > 0.0) // what is left; 0 would be no limit
     solver.max_seconds = std::max (1e-6, clock_.secondsLeft());
-  TwoFrameSolve solve (frames_[from], frames_[to], carried, energy_, solver);
+  const std::vector<RgbdFrame> pair{frames_[from], frames_[to]};
+  WindowSolve solve (pair, 0, carried, energy_, solver, {});
   solve.solve (guess, kFinestLevel);
   const MotionState found = solve.state().ofPair (0);
   for (std::size_t i = 0; i < seen.size(); ++i) {
     step.poses[seen[i]] = found.poseOf (static_cast<int> (i));
     step.body[seen[i]] = found.body_of[i];
   }
-  if (from == pairs_.reference() && solve.links().size() == links_.size())
+  if (from == pairs_.reference() && solve.scene().links.size() == links_.size())
     for (std::size_t i = 0; i < links_.size(); ++i) {
       const bool one_body = step.body[links_[i].first] == step.body[links_[i].second];
       link_weights_[i] = one_body ? 1.0 : found.weights[i];
     }
   fillUnseen (step);
-  noise_.intensity = std::max (noise_.intensity, solve.noise().intensity);
-  noise_.inverse_depth = std::max (noise_.inverse_depth, solve.noise().inverse_depth);
-  noise_.displacement = solve.noise().displacement;
-  noise_.relative_depth = solve.noise().relative_depth;
-  const BrightnessChange& change = solve.brightnessChange();
+  const NoiseModel& noise = solve.scene().noise;
+  noise_.intensity = std::max (noise_.intensity, noise.intensity);
+  noise_.inverse_depth = std::max (noise_.inverse_depth, noise.inverse_depth);
+  noise_.displacement = noise.displacement;
+  noise_.relative_depth = noise.relative_depth;
+  const BrightnessChange& change = solve.scene().change;
   exposure_[to].gain = change.gain * exposure_[from].gain;
   exposure_[to].offset = change.gain * exposure_[from].offset + change.offset;
 }
 
 void
-MultiFrameStart::takeStep (const KnownStep& known)
+WindowStart::takeStep (const KnownStep& known)
 {
   Step& step = steps_[pairs_.between (known.from, known.to)];
   step.poses = known.poses;
@@ -134,7 +136,7 @@ MultiFrameStart::takeStep (const KnownStep& known)
 }
 
 void
-MultiFrameStart::linkSegments()
+WindowStart::linkSegments()
 {
   links_ = linkNearestCentroids (centroids(), energy_.neighbors);
   link_weights_.assign (links_.size(), 0.5); // until a solve says more
@@ -143,7 +145,7 @@ MultiFrameStart::linkSegments()
 /** Segments that are hidden in the step's first frame move with the neighbour that they
  * are connected to most strongly. */
 void
-MultiFrameStart::fillUnseen (Step& step) const
+WindowStart::fillUnseen (Step& step) const
 {
   bool changed = true;
   while (changed) {
@@ -164,7 +166,7 @@ MultiFrameStart::fillUnseen (Step& step) const
 
 /** The pose that most segments share. */
 RigidPose
-MultiFrameStart::dominantPose (const Step& step) const
+WindowStart::dominantPose (const Step& step) const
 {
   std::map<int, int> count;
   for (const int b : step.body)
@@ -177,7 +179,7 @@ MultiFrameStart::dominantPose (const Step& step) const
 }
 
 std::vector<Eigen::Vector3d>
-MultiFrameStart::centroids() const
+WindowStart::centroids() const
 {
   const FrameLevel& level = frames_[pairs_.reference()].levels()[0];
   PointOptions options;
@@ -186,13 +188,13 @@ MultiFrameStart::centroids() const
 }
 
 MotionState
-MultiFrameStart::motionTo (int frame) const
+WindowStart::motionTo (int frame) const
 {
   return MotionState::fromSegments (to_frame_[frame], 0);
 }
 
 void
-MultiFrameStart::compose (int from, int to)
+WindowStart::compose (int from, int to)
 {
   const Step& step = steps_[pairs_.between (from, to)];
   to_frame_[to].resize (segments_.size());
@@ -208,7 +210,7 @@ MultiFrameStart::compose (int from, int to)
 /** Segments on their own: what moved together from frame to frame may part over the
  * whole window. */
 WindowState
-MultiFrameStart::state() const
+WindowStart::state() const
 {
   WindowState state;
   for (int k = 0; k < segments_.size(); ++k)
