@@ -94,7 +94,8 @@ PiecewiseRigidRegistration<PointT>::takeSource (PointCloudSource& output)
   else if (!selection_.isAll())
     detail::pickPoints (*source, points, output);
   if (source->empty())
-    throw InvalidInput ("there is no source: call setInputSource");
+    throw InvalidInput ("there is no source, or its cloud has no points: fill it, or "
+                        "call setInputSource");
   if (!misfit.empty())
     throw InvalidInput (misfit);
   requireOrganized (*source, "source");
