@@ -9,15 +9,6 @@
 namespace pcl_msf::io {
 
 template <typename PointT>
-Viewpoint
-viewpointOf (const pcl::PointCloud<PointT>& cloud)
-{
-  const Eigen::Vector4f& t = cloud.sensor_origin_;
-  const Eigen::Quaternionf& q = cloud.sensor_orientation_;
-  return {{t.x(), t.y(), t.z()}, {q.w(), q.x(), q.y(), q.z()}};
-}
-
-template <typename PointT>
 void
 setViewpoint (const Viewpoint& viewpoint, pcl::PointCloud<PointT>& cloud)
 {
