@@ -290,6 +290,15 @@ TEST (CloudConversions, CloudsThatNoPinholeCameraSeesSaySo)
   EXPECT_THAT (why, testing::HasSubstr ("spinning lidar"));
 }
 
+TEST (CloudConversions, ACornerTooFarFromThePrincipalPointSaysSo)
+{
+  const cv::Mat points = coordinateImage (*RigidPair::reference());
+  PinholeCamera camera;
+  std::string why;
+  EXPECT_FALSE (estimateCamera (points (cv::Rect (0, 0, 20, 20)), camera, &why));
+  EXPECT_THAT (why, testing::HasSubstr ("no camera for 20x20 images: fx 150"));
+}
+
 TEST (CloudConversions, PointsThatAreTooFewSaySo)
 {
   const auto full = RigidPair::reference();

@@ -128,6 +128,11 @@ estimateCamera (const cv::Mat& points, PinholeCamera& camera, std::string* why)
   if (!why)
     return false;
   *why = whyOpen (points);
+  const bool upright = fit.fx > 0.0 && fit.fy > 0.0;
+  if (why->empty() && !valid && upright && error <= kOwnError) {
+    fit.isValid (points.cols, points.rows, why); // a far part of an image, perhaps
+    return false;
+  }
   if (why->empty())
     *why = (valid ? missText (error) : "the points fix no camera") + ": " +
            causeOfMisfit (points, nullptr);

@@ -21,6 +21,7 @@ constexpr int kMaxBodies = 6;
 constexpr int kVoters = 4;             // samples per segment in the search for bodies
 constexpr double kVoteLimit = 3.0;     // pixels
 constexpr double kSmallestBody = 0.02; // share of all voters
+constexpr int kLeastFlowSide = 16;     // pixels: two patches
 
 /** Samples of all segments; those of segment k are [begin[k], begin[k + 1]). */
 struct SampleTable {
@@ -122,16 +123,34 @@ findBodies (const SampleTable& table,
   return bodies;
 }
 
+/** Flow between 8-bit images. Where a side is shorter than two of its patches, OpenCV
+ * chooses the pyramid by the width alone and reads outside the image: the border is
+ * repeated up to there. */
+cv::Mat
+matchImages (const cv::Mat& first, const cv::Mat& second)
+{
+  const int right = std::max (0, kLeastFlowSide - first.cols);
+  const int bottom = std::max (0, kLeastFlowSide - first.rows);
+  cv::Mat from = first;
+  cv::Mat to = second;
+  if (right > 0 || bottom > 0) {
+    cv::copyMakeBorder (first, from, 0, bottom, 0, right, cv::BORDER_REPLICATE);
+    cv::copyMakeBorder (second, to, 0, bottom, 0, right, cv::BORDER_REPLICATE);
+  }
+  cv::Mat flow;
+  const auto dis = cv::DISOpticalFlow::create (cv::DISOpticalFlow::PRESET_MEDIUM);
+  dis->calc (from, to, flow);
+  return flow.size() == first.size() ? flow
+                                     : flow (cv::Rect ({0, 0}, first.size())).clone();
+}
+
 } // namespace
 
 cv::Mat
 estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current, int threads)
 {
   cv::Mat flow;
-  withThreads (threads, [&] {
-    const auto dis = cv::DISOpticalFlow::create (cv::DISOpticalFlow::PRESET_MEDIUM);
-    dis->calc (reference.gray(), current.gray(), flow);
-  });
+  withThreads (threads, [&] { flow = matchImages (reference.gray(), current.gray()); });
   return flow;
 }
 
@@ -153,8 +172,7 @@ estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current, int thr
   cv::Mat flow;
   const cv::Size size (reference.width(), reference.height());
   withThreads (threads, [&] {
-    const auto dis = cv::DISOpticalFlow::create (cv::DISOpticalFlow::PRESET_MEDIUM);
-    dis->calc (gray_first, gray_second, flow);
+    flow = matchImages (gray_first, gray_second);
     if (level > 0)
       cv::resize (flow, flow, size, 0, 0, cv::INTER_LINEAR);
   });

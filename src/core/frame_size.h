@@ -15,8 +15,8 @@ sizeText (cv::Size size)
   return std::to_string (size.width) + "x" + std::to_string (size.height);
 }
 
-/** \brief Why a frame of this size cannot be aligned; empty when it can: the optical
- * flow and the normals need some pixels to look at. */
+/** \brief Why a frame of this size cannot be aligned; empty when it can: optical flow
+ * and normals need some pixels to look at. */
 inline std::string
 whyTooSmall (cv::Size size)
 {
