@@ -3,7 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "core/dense_points.h"
+#include "core/dense_visibility.h"
 #include "support/bending_wall.h"
+#include "support/points.h"
+#include <pcl_msf/rgbd_frame.h>
+
+#include <random>
 
 namespace {
 
@@ -116,6 +121,140 @@ TEST_F (Blended, SameForAnyNumberOfThreads)
     fillPoints (wall_.data (state), wall_.camera, true, threads, scene_);
     EXPECT_EQ (cv::norm (one, scene_.displacement, cv::NORM_INF), 0.0);
   }
+}
+
+// Visible is what lies within the noise of the surface that the other frame shows.
+
+constexpr int kWidth = 60;
+constexpr int kHeight = 40;
+constexpr float kDepth = 2.0f;
+
+/** A wall at rest, two metres away, in one segment; the other frame's depth is the
+ * test's. */
+class WallAtRest : public testing::Test {
+protected:
+  WallAtRest()
+  {
+    scene_.camera = {60.0, 60.0, 29.5, 19.5};
+    scene_.labels = cv::Mat (kHeight, kWidth, CV_32SC1, cv::Scalar (0));
+    scene_.displacement = cv::Mat (kHeight, kWidth, CV_32FC3, cv::Scalar::all (0.0));
+    scene_.segments.resize (1);
+    scene_.segments[0].status = MotionStatus::Determined;
+  }
+
+  RgbdFrame
+  frame (const cv::Mat& depth) const
+  {
+    return RgbdFrame::fromImages (cv::Mat(), depth, scene_.camera, {});
+  }
+
+  /** \param noise of the inverse depth, 1 / metres */
+  void
+  look (double noise = 0.0)
+  {
+    const FrameLevel wall =
+        frame (cv::Mat (kHeight, kWidth, CV_32FC1, cv::Scalar (kDepth))).levels()[0];
+    NoiseModel model;
+    model.inverse_depth = noise;
+    const SegmentPixels pixels = test::pointsOf (wall, scene_.labels, 1, model, 0.01);
+    scene_.points = cv::Mat (kHeight, kWidth, CV_32FC3);
+    for (std::size_t i = 0; i < pixels.pixel.size(); ++i)
+      scene_.points.ptr<cv::Vec3f>()[pixels.pixel[i]] = {
+          pixels.x[i], pixels.y[i], pixels.z[i]};
+    const RgbdFrame current = frame (shown_);
+    const Texture texture (current.levels()[0]);
+    const DataTerm data (pixels, texture, makeRules ({}, pixels), 1);
+    fillVisibility (data, 1, scene_);
+  }
+
+  int
+  at (int row, int column) const
+  {
+    return scene_.visibility.at<unsigned char> (row, column);
+  }
+  int
+  count (Visibility kind) const
+  {
+    return cv::countNonZero (scene_.visibility == static_cast<int> (kind));
+  }
+
+  cv::Mat shown_{kHeight, kWidth, CV_32FC1, cv::Scalar (kDepth)};
+  SceneFlow scene_;
+};
+
+TEST_F (WallAtRest, IsVisible)
+{
+  look();
+  EXPECT_EQ (count (Visible), kWidth * kHeight);
+  EXPECT_EQ (scene_.segments[0].visible_points, kWidth * kHeight);
+}
+
+TEST_F (WallAtRest, BehindAnotherSurfaceIsOccluded)
+{
+  shown_ (cv::Rect (10, 10, 20, 20)) = 1.9f;
+  look();
+  EXPECT_EQ (at (20, 20), Occluded);
+  EXPECT_EQ (count (Occluded), 400);
+  EXPECT_EQ (scene_.segments[0].visible_points, kWidth * kHeight - 400);
+}
+
+TEST_F (WallAtRest, BeforeAFartherSurfaceIsNotVisible)
+{
+  shown_ (cv::Rect (10, 10, 20, 20)) = 2.1f; // what was there has gone
+  look();
+  EXPECT_EQ (at (20, 20), Unknown);
+  EXPECT_EQ (count (Visible), kWidth * kHeight - 400);
+}
+
+TEST_F (WallAtRest, OneMeasurementAmongOthersIsNoSurface)
+{
+  shown_ (cv::Rect (10, 10, 20, 20)) = 3.0f;
+  shown_.at<float> (20, 20) = kDepth;
+  look();
+  EXPECT_EQ (at (20, 20), Unknown);
+}
+
+TEST_F (WallAtRest, OneMeasurementAmongNoneIsSeen)
+{
+  shown_ (cv::Rect (10, 10, 20, 20)) = 0.0f;
+  shown_.at<float> (20, 20) = kDepth;
+  look();
+  EXPECT_EQ (at (20, 20), Visible);
+  EXPECT_EQ (count (Unknown), 399);
+}
+
+TEST_F (WallAtRest, OutOfViewAndUndeterminedAreSaid)
+{
+  scene_.displacement.at<cv::Vec3f> (5, 5) = {-10.0f, 0.0f, 0.0f};
+  look();
+  EXPECT_EQ (at (5, 5), OutOfView);
+  scene_.segments[0].status = MotionStatus::Undetermined;
+  look();
+  EXPECT_EQ (count (Unknown), kWidth * kHeight);
+  EXPECT_EQ (scene_.segments[0].visible_points, 0);
+}
+
+/** Noise that neighbours share hides from the frames' estimates, not from the
+ * residuals. */
+TEST_F (WallAtRest, SharedNoiseWidensWhatIsVisible)
+{
+  std::mt19937 random (1);
+  std::normal_distribution<float> noise (0.0f, 0.006f); // 1 / metres: 1.2 %
+  for (int y = 0; y < kHeight; y += 5)
+    for (int x = 0; x < kWidth; x += 5)
+      shown_ (cv::Rect (x, y, 5, 5)) = 1.0f / (1.0f / kDepth + noise (random));
+  look();
+  EXPECT_GT (count (Visible), 0.9 * kWidth * kHeight);
+}
+
+/** However large the noise is said to be: a tenth of the depth is another surface. */
+TEST_F (WallAtRest, NoNoiseMakesEverythingVisible)
+{
+  shown_ (cv::Rect (0, 0, 30, kHeight)) = 1.0f;
+  shown_ (cv::Rect (30, 0, 30, kHeight)) = 4.0f;
+  look (1.0);
+  EXPECT_EQ (count (Visible), 0);
+  EXPECT_EQ (count (Occluded), 30 * kHeight);
 }
 
 } // namespace

@@ -250,6 +250,33 @@ TEST (Registration, CancellingEndsUnconvergedWithAReason)
   EXPECT_EQ (registration.getReport().stop_reason, StopReason::Cancelled);
 }
 
+TEST (Registration, ACoveredLensIsNoSuccessAndAllSaySo)
+{
+  const Cloud::Ptr lens = RigidPair::current();
+  for (Point& p : *lens) {
+    p.getVector3fMap() *= 0.3f / p.z;
+    p.r = p.g = p.b = 20;
+  }
+  Registration registration;
+  registration.setInputSource (RigidPair::reference());
+  registration.setInputTarget (lens);
+  Cloud output;
+  testing::internal::CaptureStderr();
+  registration.align (output);
+  const std::string printed = testing::internal::GetCapturedStderr();
+  const Report& report = registration.getReport();
+  EXPECT_FALSE (registration.hasConverged());
+  EXPECT_FALSE (report.converged);
+  EXPECT_EQ (report.stop_reason, StopReason::NothingDetermined);
+  ASSERT_NE (report.message, "");
+  EXPECT_THAT (printed, HasSubstr (report.message));
+  EXPECT_EQ (registration.getFinalTransformation(), Eigen::Matrix4f::Identity());
+  EXPECT_EQ (registration.getFitnessScore(), std::numeric_limits<double>::max());
+  ASSERT_EQ (output.size(), lens->size());
+  for (const Point& p : output)
+    ASSERT_FALSE (pcl::isXYZFinite (p)); // unknown is NaN
+}
+
 TEST (Registration, ATinyTimeBudgetEndsUnconvergedWithAResult)
 {
   Registration registration;

@@ -112,6 +112,23 @@ TEST_F (SceneFlowWindow, RunsAFolderInWindowsThatShareAFrame)
   EXPECT_EQ (poses, 4);
 }
 
+TEST_F (SceneFlowWindow, OneCoveredFrameIsNoSuccess)
+{
+  writeRecording (4);
+  const cv::Size size (SmallScene::kWidth, SmallScene::kHeight);
+  io::writeImage (folder_ ("case/color_1.png"),
+                  cv::Mat (size, CV_8UC3, cv::Scalar::all (20.0)));
+  io::writeDepth (
+      folder_ ("case/depth_1.png"), cv::Mat (size, CV_32FC1, cv::Scalar (0.3)), 5000.0);
+  int runs = 0;
+  for (const char* mode : {" --window 2", " --window 3", " --window 3 --track"}) {
+    const ToolRun done = run (" " + folder_ ("case") + mode + " --output " +
+                              folder_ ("out" + std::to_string (runs++)));
+    EXPECT_EQ (done.status, 3) << mode;
+    EXPECT_THAT (done.err, HasSubstr ("not converged (nothing_determined)")) << mode;
+  }
+}
+
 TEST_F (SceneFlowWindow, TracksAFolderFromOneReference)
 {
   writeRecording (5);

@@ -20,6 +20,7 @@ using namespace pcl_msf;
 using namespace pcl_msf::tool;
 
 constexpr const char* kProgram = "pcl_msf_scene_flow";
+constexpr int kNotConverged = 3; // exit status; everything was written
 
 void
 printSummary (const Outcome& outcome, const std::string& folder)
@@ -85,7 +86,8 @@ private:
   RigidPose last_; ///< world_from_camera of the last frame so far
 };
 
-void
+/** \return has it converged? */
+bool
 writeAll (Outcome& outcome, const Options& options, bool several)
 {
   writeOutcome (outcome, options, several);
@@ -98,6 +100,7 @@ writeAll (Outcome& outcome, const Options& options, bool several)
                   std::to_string (outcome.indices[outcome.lastTarget()]) +
                   ": not converged (" + toString (report.stop_reason) + ")" +
                   (report.message.empty() ? "" : " ") + report.message);
+  return report.converged;
 }
 
 void
@@ -108,35 +111,40 @@ writePoses (const Trajectory& trajectory, const Options& options)
       trajectory.poses());
 }
 
-/** Windows that share a frame. */
-void
+/** Windows that share a frame. \return have all converged? */
+bool
 runWindows (const Options& options, const Inputs& inputs)
 {
+  bool converged = true;
   Trajectory trajectory;
   const bool several = inputs.frames() > inputs.window();
   const int step = inputs.window() - 1;
   for (int first = 0; first + 1 < inputs.frames(); first += step) {
     const int count = std::min (inputs.window(), inputs.frames() - first);
     Outcome outcome = runPipeline (options, inputs, first, count);
-    writeAll (outcome, options, several);
+    converged = writeAll (outcome, options, several) && converged;
     trajectory.add (outcome, inputs);
     if (inputs.frames() > 2)
       writePoses (trajectory, options);
   }
+  return converged;
 }
 
-void
+/** \return have all windows converged? */
+bool
 runTracking (const Options& options, const Inputs& inputs)
 {
+  bool converged = true;
   Trajectory trajectory;
   Tracking tracking (options, inputs);
   for (int frame = 0; frame < inputs.frames(); ++frame) {
     Outcome outcome = tracking.next();
     if (frame > 0)
-      writeAll (outcome, options, true);
+      converged = writeAll (outcome, options, true) && converged;
     trajectory.add (inputs.timestamp (frame), tracking.cameraPose());
     writePoses (trajectory, options);
   }
+  return converged;
 }
 
 int
@@ -151,11 +159,9 @@ run (const Options& given)
                          .string() +
                      "_scene_flow";
   io::makeFolder (options.output);
-  if (options.track)
-    runTracking (options, inputs);
-  else
-    runWindows (options, inputs);
-  return 0;
+  const bool converged =
+      options.track ? runTracking (options, inputs) : runWindows (options, inputs);
+  return converged ? 0 : kNotConverged;
 }
 
 } // namespace

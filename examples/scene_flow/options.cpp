@@ -114,6 +114,8 @@ printHelp (const char* program)
   print_info ("Give --color, --depth or --cloud once a frame, in the order of time. "
               "FOLDER is a recording:\ncolor_K.png, depth_K.png and camera.txt, or one "
               "of the data sets' layouts (TUM RGB-D, ...).\n");
+  print_info ("Exit status: 0 = written and converged, 3 = written but not converged "
+              "(stderr says why), else an error.\n");
   Options defaults;
   printOptions (makeOptionTable (defaults));
 }

@@ -56,11 +56,14 @@ noSceneFlow ();
  * take part, with all of their points, and the output holds those points alone, n x 1
  * (n of all points: organized). To leave out points exactly, use setSegmentation.
  *
- * <b>Convergence.</b> As with PCL's ICP, hasConverged () is true when the optimization
- * ran to its end: the energy's change fell below the tolerance, or the iteration limit
- * was reached; getReport ().stop_reason and .converged tell the two apart. It is false
- * when the time budget or the progress callback cut it short (the output is the best so
- * far) and after a failure.
+ * <b>Convergence.</b> hasConverged () is getReport ().converged. As with PCL's ICP, it
+ * is true when the optimization ran to its end: the energy's change fell below the
+ * tolerance, or the iteration limit was reached; getReport ().stop_reason tells the two
+ * apart. It is false when the time budget or the progress callback cut it short (the
+ * output is the best so far), when a target shows a different place (the output is what
+ * was found nevertheless), when no motion could be determined (the output is NaN, the
+ * matrix the identity), and after a failure. For the last three the reason is printed
+ * with PCL_ERROR and in getReport ().message.
  *
  * <b>Failure.</b> Bad input prints a PCL_ERROR that names the remedy; then hasConverged
  * () is false, the matrix is the identity, the output is the untransformed source and

@@ -12,7 +12,7 @@ namespace pcl_msf {
  * \code
  * pcl_msf::PiecewiseRigidTracker<pcl::PointXYZRGBA> tracker;
  * grabber_callback = [&] (const Cloud::ConstPtr& cloud) {
- *   if (tracker.addCloud (cloud) && !tracker.getSceneFlow ().flow.empty ())
+ *   if (tracker.addCloud (cloud) && tracker.getSceneFlow ().report.converged)
  *     use (tracker.getSceneFlow (), tracker.getCameraPose ());
  * };
  * \endcode
@@ -42,7 +42,8 @@ public:
   }
 
   /** \brief Takes the next cloud. \return false, with a PCL_ERROR, when it cannot be
-   * used; then everything is as before. The first one only starts the window. */
+   * used; then everything is as before. The first one only starts the window. Whether a
+   * later one's motion is known says getSceneFlow ().report.converged. */
   bool
   addCloud (const PointCloudConstPtr& cloud);
 

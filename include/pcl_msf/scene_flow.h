@@ -41,24 +41,34 @@ struct SegmentPair {
                       ///< mean of both motions; 1 on a soft surface, 0 at an edge
 };
 
-/** \brief What a point's visibility image holds. */
+/** \brief What a point's visibility image holds: the moved point against the surface
+ * that the current frame shows where it lands.
+ *
+ * "At" the surface is within its noise: five deviations of both frames' own estimate
+ * and what the motion model leaves, or of what the residuals of the solved frames show
+ * when that is more, never above a tenth of the depth. A measurement among others that
+ * all disagree is no surface. */
 enum Visibility : unsigned char {
   NoDepth = 0,    ///< no measurement in the reference
   OutOfView = 64, ///< leaves the image
   Occluded = 128, ///< behind the current frame's surface
-  Unknown = 192,  ///< lands where the current frame has no depth
-  Visible = 255   ///< seen in both frames
+  Unknown = 192, ///< not seen: the motion is undetermined, or where the point lands the
+                 ///< current frame has no depth, no surface, or only a farther one
+  Visible = 255  ///< at the current frame's surface: seen in both frames
 };
 
 /** \brief Why the optimization ended. */
 enum class StopReason {
   NotRun,
-  Converged,       ///< the energy changes less than the tolerance
-  IterationLimit,  ///< maximum number of iterations
-  TimeLimit,       ///< time budget used up; the result is the best so far
-  Cancelled,       ///< by the progress callback; the result is the best so far
-  InvalidInput,    ///< see Report::message
-  NumericalFailure ///< the solver could not make a step
+  Converged,         ///< the energy changes less than the tolerance
+  IterationLimit,    ///< maximum number of iterations
+  TimeLimit,         ///< time budget used up; the result is the best so far
+  Cancelled,         ///< by the progress callback; the result is the best so far
+  InvalidInput,      ///< see Report::message
+  NumericalFailure,  ///< the solver could not make a step
+  NothingDetermined, ///< no segment's motion could be determined: all motion is unknown
+  DifferentPlaces ///< the frames show different places: hardly any of the reference is
+                  ///< found in the current frame, though both have measurements
 };
 
 /** \brief "converged", "iteration_limit", ... */
@@ -93,6 +103,9 @@ struct IterationRecord {
 struct Report {
   StopReason stop_reason{StopReason::NotRun};
   std::string message; ///< for a person; empty when all went well
+  /** \brief The optimization ran to its end and found the reference in the other
+   * frames: stop_reason is Converged or, as PCL's ICP counts, IterationLimit. What
+   * hasConverged () and the tools' exit status say is this. */
   bool converged{false};
   int iterations{0};       ///< over all levels
   EnergyCost initial_cost; ///< where the last solve at the finest level began

@@ -92,16 +92,6 @@ move (const std::vector<Influence>& influences,
   return sum / weights;
 }
 
-Visibility
-visibilityOf (std::uint8_t active)
-{
-  if (active & kernel::kOutside)
-    return OutOfView;
-  if (active & kernel::kOccluded)
-    return Occluded;
-  return active & kernel::kIcp ? Visible : Unknown;
-}
-
 /** Writes one point of a segment whose motion is known. */
 void
 writeMotion (const Eigen::Vector3f& point,
@@ -135,7 +125,6 @@ fillPoints (const DataTerm& data,
   result.points = cv::Mat (size, CV_32FC3, cv::Scalar::all (nan));
   result.displacement = cv::Mat (size, CV_32FC3, cv::Scalar::all (nan));
   result.flow = cv::Mat (size, CV_32FC2, cv::Scalar::all (nan));
-  result.visibility = cv::Mat (size, CV_8UC1, cv::Scalar (NoDepth));
   const auto influences = findInfluences (result, blend);
 #pragma omp parallel for schedule(dynamic, 8) num_threads(threads)
   for (int k = 0; k < p.segments(); ++k) {
@@ -145,8 +134,6 @@ fillPoints (const DataTerm& data,
       const int y = p.pixel[i] / size.width;
       const Eigen::Vector3f point (p.x[i], p.y[i], p.z[i]);
       result.points.at<cv::Vec3f> (y, x) = {p.x[i], p.y[i], p.z[i]};
-      result.visibility.at<unsigned char> (y, x) =
-          known ? visibilityOf (data.active()[i]) : Unknown;
       if (known)
         writeMotion (
             point,

@@ -7,7 +7,7 @@
 
 namespace pcl_msf {
 
-/** \brief Fills in what every point does: points, displacement, flow, visibility.
+/** \brief Fills in what every point does: points, displacement, flow.
  *
  * A point moves with its segment and, where `blend` is on, with the neighbours that the
  * segment is strongly connected to: a mean of their motions, weighted by the connection

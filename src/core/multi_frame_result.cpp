@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/dense_points.h"
 #include "core/dense_result.h"
+#include "core/dense_visibility.h"
 #include "core/multi_frame_solve.h"
-
-#include <algorithm>
+#include "core/outcome.h"
 
 /* The results of MultiFrameSolve, from its last round. */
 namespace pcl_msf {
@@ -25,6 +25,7 @@ MultiFrameSolve::resultFor (int frame)
                 result);
   fillPoints (
       data, frames_[frame].camera(), user_.blend_motions, scene_.threads, result);
+  fillVisibility (data, scene_.threads, result);
   return result;
 }
 
@@ -52,28 +53,17 @@ MultiFrameSolve::concludeReport (MultiframeSceneFlow& result)
 {
   report_.iterations = monitor_.iterations();
   report_.history = monitor_.history();
-  report_.stop_reason = monitor_.stopReason();
-  if (cancelled_)
-    report_.stop_reason = StopReason::Cancelled;
-  if (report_.stop_reason != StopReason::NotRun)
-    report_.converged = false;
-  else
-    report_.stop_reason =
-        report_.converged ? StopReason::Converged : StopReason::IterationLimit;
+  const RgbdFrame& reference = frames_[pairs_.reference()];
+  std::vector<Judgement> judgements;
   for (int f = 0; f < pairs_.frames(); ++f) {
-    const auto& segments = result.frames[f].segments;
-    const bool determined =
-        std::any_of (segments.begin(), segments.end(), [] (const SegmentMotion& s) {
-          return s.status != MotionStatus::Undetermined;
-        });
-    if (determined || f == pairs_.reference())
+    if (f == pairs_.reference())
       continue;
-    report_.converged = false;
-    report_.message =
-        "no segment's motion to frame " + std::to_string (f) +
-        " of the window is determined: the scene shows too little texture "
-        "and shape, or the frames show different places";
+    judgements.push_back (
+        judgeMotion (reference, frames_[f], scene_.noise.intensity, result.frames[f]));
+    judgements.back().frame = f;
   }
+  conclude (
+      cancelled_ ? StopReason::Cancelled : monitor_.stopReason(), judgements, report_);
   for (SceneFlow& flow : result.frames)
     flow.report = report_;
 }

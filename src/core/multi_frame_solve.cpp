@@ -6,6 +6,7 @@
 #include "core/body_merging.h"
 #include "core/depth_fusion.h"
 #include "core/exposure.h"
+#include "core/outcome.h"
 #include "core/segment_carrier.h"
 #include <omp.h>
 
@@ -222,7 +223,7 @@ MultiFrameSolve::round (const Round& round, double begin, double end)
   const SolveOutcome outcome = energy.minimize (solver, monitor_, state_);
   report_.initial_cost = outcome.initial;
   report_.final_cost = outcome.final;
-  report_.converged = outcome.settled();
+  report_.stop_reason = endOfSolve (outcome.settled(), outcome.failed);
   if (round.place != Round::Last && user_.merge_bodies)
     mergeAndReassign (*level_);
 }

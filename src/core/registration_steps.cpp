@@ -184,12 +184,10 @@ startPose (const Eigen::Matrix4f& guess)
 std::string
 whyUnusable (const SceneFlow& flow)
 {
-  if (flow.dominant_body >= 0 && flow.dominant_motion.isFinite())
+  if (flow.dominant_motion.isFinite())
     return {};
-  if (!flow.report.message.empty())
-    return flow.report.message;
-  return "no segment's motion could be determined: the clouds may show nothing in "
-         "common; give clouds that overlap, or a guess";
+  return flow.report.message.empty() ? "the motion found is not finite"
+                                     : flow.report.message;
 }
 
 int

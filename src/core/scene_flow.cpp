@@ -24,6 +24,10 @@ toString (StopReason reason)
     return "invalid_input";
   case StopReason::NumericalFailure:
     return "numerical_failure";
+  case StopReason::NothingDetermined:
+    return "nothing_determined";
+  case StopReason::DifferentPlaces:
+    return "different_places";
   }
   return "unknown";
 }

@@ -6,7 +6,9 @@
 #include "core/body_noise.h"
 #include "core/dense_points.h"
 #include "core/dense_result.h"
+#include "core/dense_visibility.h"
 #include "core/hidden_segments.h"
+#include "core/outcome.h"
 #include <omp.h>
 
 #include <algorithm>
@@ -133,7 +135,7 @@ TwoFrameSolve::refine (int at)
   }
   report_.initial_cost = outcome.initial;
   report_.final_cost = outcome.final;
-  report_.converged = outcome.settled();
+  report_.stop_reason = endOfSolve (outcome.settled(), outcome.failed);
 }
 
 void
@@ -164,6 +166,7 @@ TwoFrameSolve::finish (SceneFlow& result)
   fillSegments (
       data, links_, state_, residualScale (energy_, pixels), threads_, result);
   fillPoints (data, current_.camera(), solver_.blend_motions, threads_, result);
+  fillVisibility (data, threads_, result);
   concludeReport (result);
   result.report.result_seconds = monitor_.seconds() - before;
 }
@@ -173,21 +176,9 @@ TwoFrameSolve::concludeReport (SceneFlow& result)
 {
   report_.iterations = monitor_.iterations();
   report_.history = monitor_.history();
-  report_.stop_reason = monitor_.stopReason();
-  const bool determined = std::any_of (
-      result.segments.begin(), result.segments.end(), [] (const SegmentMotion& s) {
-        return s.status != MotionStatus::Undetermined;
-      });
-  if (report_.stop_reason != StopReason::NotRun)
-    report_.converged = false;
-  else
-    report_.stop_reason =
-        report_.converged ? StopReason::Converged : StopReason::IterationLimit;
-  if (!determined) {
-    report_.converged = false;
-    report_.message = "no segment's motion is determined: the scene shows too little "
-                      "texture and shape, or the frames show different places";
-  }
+  conclude (monitor_.stopReason(),
+            {judgeMotion (reference_, current_, noise_.intensity, result)},
+            report_);
   result.report = report_;
 }
 

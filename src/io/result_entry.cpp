@@ -101,7 +101,11 @@ numbersOf (const cv::FileStorage& report)
   add ("segments", report["segments"]);
   add ("motion groups", report["bodies"]);
   add ("iterations", report["iterations"]);
+  const cv::FileNode converged = report["converged"];
+  if (!converged.empty())
+    numbers.emplace_back ("converged", converged.real() != 0.0 ? "yes" : "no");
   add ("stop reason", report["stop_reason"]);
+  add ("message", report["message"]);
   add ("seconds", report["seconds"]["total"]);
   add ("cost before", report["cost"]["initial"]);
   add ("cost after", report["cost"]["final"]);

@@ -176,10 +176,9 @@ PiecewiseRigidRegistration<PointT>::publish()
   this->final_transformation_ = flow.dominant_motion.matrix();
   this->transformation_ = this->final_transformation_;
   this->nr_iterations_ = flow.report.iterations;
-  // As PCL's ICP: reaching the iteration limit is an ordinary end.
-  const StopReason reason = flow.report.stop_reason;
-  this->converged_ =
-      reason == StopReason::Converged || reason == StopReason::IterationLimit;
+  this->converged_ = flow.report.converged;
+  if (!this->converged_ && !flow.report.message.empty())
+    printError ("align", flow.report.message);
 }
 
 template <typename PointT>
