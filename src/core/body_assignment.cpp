@@ -124,9 +124,11 @@ Assignment::score (int segment, int body, double limit) const
   const DataTerm& sample = *asked_.front().sample;
   const DataTerm::Probe p = probe (segment, body);
   const double hidden = supported ? 0.0 : p.hidden * sample.unsupportedCost();
+  const double independent = p.weight * asked_.front().residual_scale;
+  const double own_way =
+      std::min (rules_.most_prior, rules_.prior / std::max (1.0, independent));
   const double sum = p.cost / std::max (p.weight, 1e-12) + hidden +
-                     rules_.separation * share +
-                     (body == largest_ ? 0.0 : rules_.background);
+                     rules_.separation * share + (body == largest_ ? 0.0 : own_way);
   return sum >= limit ? sum
                       : sum + takenShare (segment, body) * sample.rules().conflict_cost;
 }

@@ -12,8 +12,10 @@ namespace pcl_msf {
 /** \brief How segments choose among bodies. */
 struct AssignmentRules {
   double separation{0.25}; ///< mean cost per residual that leaving all neighbours costs
-  double background{0.0};  ///< mean cost that leaving the largest body costs; 0 = no
-                           ///< prior
+  double prior{25.0};      ///< natural logarithm of the odds that a segment belongs to
+                           ///< the largest body: what leaving it costs all of its
+                           ///< independent residuals together ...
+  double most_prior{0.5};  ///< ... and at the most the mean of them
   int rounds{3};
 };
 

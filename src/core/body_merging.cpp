@@ -39,7 +39,7 @@ struct PoseQuadratic {
 /** A body's quadratics in all pairs. */
 struct BodyQuadratics {
   std::vector<PoseQuadratic> pairs;
-  int points{0};
+  double points{0.0}; ///< independent ones
   double minimum{0.0};
   int version{0};
   bool alive{false}; ///< has segments and was not merged into another
@@ -78,6 +78,16 @@ increase (const BodyQuadratics& a, const BodyQuadratics& b)
   for (std::size_t p = 0; p < a.pairs.size(); ++p)
     minimum += sum (a.pairs[p], b.pairs[p]).solve (larger.pairs[p].best);
   return minimum - a.minimum - b.minimum;
+}
+
+/** Of a segment, each counting for all of its residuals. */
+double
+independentPoints (const PairTerms& terms, int segment)
+{
+  const SegmentPixels& pixels = terms.all->pixels();
+  const int residuals = (pixels.brightness_count > 0) + (pixels.icp_count > 0);
+  return terms.residual_scale * terms.all->totalWeight (segment) /
+         std::max (1, residuals);
 }
 
 class Merger {
@@ -143,9 +153,9 @@ Merger::Merger (const std::vector<PairTerms>& terms,
   std::iota (joined_.begin(), joined_.end(), 0);
   for (const PairTerms& pair : terms)
     addPair (pair);
-  const SegmentPixels& pixels = fromReference (terms).front().all->pixels();
+  const PairTerms own = fromReference (terms).front();
   for (std::size_t k = 0; k < state.body_of.size(); ++k) {
-    bodies_[state.body_of[k]].points += pixels.size (static_cast<int> (k));
+    bodies_[state.body_of[k]].points += independentPoints (own, static_cast<int> (k));
     bodies_[state.body_of[k]].alive = true;
   }
   connect (links);

@@ -12,7 +12,8 @@ namespace pcl_msf {
 /** \brief How unequal two bodies' motions may be and still count as one. */
 struct MergeRules {
   double allowance{10.0}; ///< increase allowed per merge, in halved squared deviations
-  double per_point{0.08}; ///< further increase per point of the smaller body
+  double per_point{
+      0.08}; ///< further increase per independent point of the smaller body
 };
 
 /** \brief Joins bodies that move as one (the paper: updates only merge, never split).

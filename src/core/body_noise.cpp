@@ -3,7 +3,7 @@
 #include "core/body_noise.h"
 
 #include "core/parallel_for.h"
-#include "core/surface_sample.h"
+#include "core/point_residuals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,28 +30,12 @@ addResiduals (
     const DataTerm& data, const RigidPose& pose, int segment, int step, Residuals& out)
 {
   const SegmentPixels& p = data.pixels();
-  const kernel::Image image = data.image();
-  const Eigen::Matrix3f r = pose.rotation().cast<float>();
-  const Eigen::Vector3f t = pose.translation().cast<float>();
-  for (int i = p.begin[segment]; i < p.begin[segment + 1]; i += step) {
-    const Eigen::Vector3f q = r * Eigen::Vector3f (p.x[i], p.y[i], p.z[i]) + t;
-    if (!(q.z() > 1e-3f))
-      continue;
-    const ImagePlace at = projectTo (image, q);
-    if (!(at.u >= 0.0f && at.v >= 0.0f && at.u < static_cast<float> (image.width - 1) &&
-          at.v < static_cast<float> (image.height - 1)))
-      continue;
-    const float seen = inverseDepthAt (image, at);
-    if (!(seen > 0.0f) || std::abs (seen - 1.0f / q.z()) > p.depth_tolerance[i])
-      continue;
-    const Eigen::Vector3f n = r * Eigen::Vector3f (p.nx[i], p.ny[i], p.nz[i]);
+  forEachSeen (data, pose, segment, step, [&] (int i, const PointResiduals& r) {
     if (p.brightness_scale[i] > 0.0f)
-      out.brightness.push_back (std::abs (intensityAt (image, at) - p.intensity[i]) *
-                                p.brightness_scale[i]);
+      out.brightness.push_back (std::abs (r.brightness));
     if (p.icp_scale[i] > 0.0f)
-      out.icp.push_back (std::abs (n.dot (q) * (1.0f - 1.0f / (q.z() * seen))) *
-                         p.icp_scale[i]);
-  }
+      out.icp.push_back (std::abs (r.icp));
+  });
 }
 
 /** One over the robust spread, in [1, limit]. */

@@ -87,10 +87,12 @@ makeRules (const EnergyParameters& energy, const SegmentPixels& pixels)
   rules.outside_cost = cost_of (kOutOfView);
   rules.unknown_cost = cost_of (kNoDepth);
   rules.truncation = cost_of (kWrongMatch);
-  rules.brightness_weight = static_cast<float> (scale * energy.brightness_weight /
-                                                std::max (1, pixels.brightness_count));
-  rules.icp_weight =
-      static_cast<float> (scale * energy.icp_weight / std::max (1, pixels.icp_count));
+  const auto weight = [scale] (double term, double area, int count) {
+    return static_cast<float> (scale * term / (area * std::max (1, count)));
+  };
+  rules.brightness_weight = weight (
+      energy.brightness_weight, pixels.areas.brightness, pixels.brightness_count);
+  rules.icp_weight = weight (energy.icp_weight, pixels.areas.icp, pixels.icp_count);
   return rules;
 }
 
@@ -101,7 +103,12 @@ residualScale (const EnergyParameters& energy, const SegmentPixels& pixels)
   const double beta = pixels.icp_count > 0 ? energy.icp_weight : 0.0;
   const int count =
       (alpha > 0.0 ? pixels.brightness_count : 0) + (beta > 0.0 ? pixels.icp_count : 0);
-  return count / std::max (alpha + beta, 1e-12);
+  // A pixel of a coarse level stands for several: fewer of its neighbours err alike.
+  const double mean_area =
+      (alpha + beta) /
+      std::max (alpha / pixels.areas.brightness + beta / pixels.areas.icp, 1e-12);
+  return count / std::max (alpha + beta, 1e-12) *
+         std::min<double> (pixels.pixel_area, mean_area);
 }
 
 Texture::Texture (const FrameLevel& level)

@@ -30,7 +30,8 @@ struct SegmentQuadratic {
 kernel::Rules
 makeRules (const EnergyParameters& energy, const SegmentPixels& pixels);
 
-/** \brief Energy times this = sum of half squared deviations. */
+/** \brief Energy times this = sum of half squared deviations over independent
+ * residuals. */
 double
 residualScale (const EnergyParameters& energy, const SegmentPixels& pixels);
 
@@ -101,6 +102,13 @@ public:
   rules () const
   {
     return rules_;
+  }
+  /** \brief Weighs from now on by other rules; the last sweep's sums are not changed.
+   */
+  void
+  setRules (const kernel::Rules& rules)
+  {
+    rules_ = rules;
   }
   kernel::Image
   image () const

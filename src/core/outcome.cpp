@@ -17,7 +17,7 @@ constexpr double kHardlyAny = 0.15; // share of those that land on depth
 constexpr double kMostly = 0.5;     // share of the points with depth
 constexpr double kNoSurface = 0.1;  // noise as a share of the mean inverse depth
 constexpr int kContrasts = 100;     // that say something
-constexpr double kSamePlace = 0.75; // alike: half way from chance to certainty
+constexpr double kSamePlace = 0.7;  // alike; chance is a half
 
 bool
 isDetermined (const SceneFlow& flow)

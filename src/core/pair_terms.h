@@ -17,7 +17,7 @@ struct PairTerms {
   const DataTerm* sample; ///< some of the points, to compare poses with; null when
                           ///< the points were carried, as those of pairs that
                           ///< don't start at the reference
-  double residual_scale;  ///< energy times this = sum of 1/2 (residual / sigma)^2
+  double residual_scale;  ///< see residualScale
 };
 
 /** \brief Those whose points are the segments' own, not carried to another frame. */

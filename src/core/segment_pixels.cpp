@@ -180,6 +180,8 @@ groupPixels (const FrameLevel& level,
     brightness_count += brightness;
     icp_count += icp;
   });
+  out.areas = options.noise.areas;
+  out.pixel_area = 1 << (2 * options.level);
   out.brightness_count = brightness_count;
   out.icp_count = icp_count;
   return out;

@@ -13,12 +13,19 @@
 
 namespace pcl_msf {
 
+/** \brief Pixels of the full resolution that are worth one independent residual. */
+struct CorrelationAreas {
+  double brightness{1.0};
+  double icp{1.0};
+};
+
 /** \brief Standard deviations that the data terms are measured in. */
 struct NoiseModel {
   double intensity{0.02};       ///< intensity units
   double displacement{0.15};    ///< pixels: what the motion model leaves unexplained
   double inverse_depth{0.001};  ///< 1 / metres
   double relative_depth{0.001}; ///< share of the inverse depth, added to it
+  CorrelationAreas areas{};     ///< see measureCorrelationAreas
 };
 
 /** \brief The reference points of one level, grouped by segment: Omega_k of Eq. 6.
@@ -39,6 +46,8 @@ struct SegmentPixels {
   std::vector<Eigen::Vector3d> centroid; ///< metres; of the level's points
   int brightness_count{0};               ///< points with intensity
   int icp_count{0};                      ///< points with a normal
+  CorrelationAreas areas;                ///< of the residuals, pixels of level 0
+  int pixel_area{1};                     ///< pixels of level 0 in one of these
 
   int
   segments () const
@@ -62,6 +71,7 @@ struct PointOptions {
   int max_per_segment{0};          ///< 0 = all; else evenly spaced samples; more when
                                    ///< so few segments would have less than 2048 in all
   int threads{1};
+  int level{0};
 };
 
 /** \brief Groups a level's points. \param labels of the level's size, -1 = none */

@@ -19,8 +19,12 @@ constexpr double kRelativeTolerance =
 PointOptions
 pointOptions (const WindowScene& scene, int level)
 {
-  return {
-      scene.noise, kRelativeTolerance * (1 << level), scene.change, 0, scene.threads};
+  return {scene.noise,
+          kRelativeTolerance * (1 << level),
+          scene.change,
+          0,
+          scene.threads,
+          level};
 }
 
 SegmentPixels
@@ -104,6 +108,19 @@ WindowLevel::sharpenRigidBodies (const WindowState& state)
     if (!from.empty())
       pcl_msf::sharpenRigidBodies (from, state, scene_.threads, pixels_[f]);
   }
+}
+
+void
+WindowLevel::reweigh (const WindowState& state)
+{
+  for (SegmentPixels& points : pixels_)
+    points.areas = scene_.noise.areas;
+  probes_.areas = scene_.noise.areas;
+  for (const auto& terms : {&data_, &probe_data_})
+    for (const std::unique_ptr<DataTerm>& term : *terms)
+      if (term)
+        term->setRules (makeRules (energy_, term->pixels()));
+  sweep (state, DataTerm::Pass::Linearize);
 }
 
 void

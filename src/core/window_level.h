@@ -92,6 +92,11 @@ public:
   void
   sharpenRigidBodies (const WindowState& state);
 
+  /** \brief Weighs the residuals anew by the scene's correlation areas, and evaluates
+   * at a state. */
+  void
+  reweigh (const WindowState& state);
+
   double
   focalLength () const
   {

@@ -4,6 +4,7 @@
 
 #include "core/body_assignment.h"
 #include "core/body_merging.h"
+#include "core/correlation_area.h"
 #include "core/hidden_segments.h"
 #include "core/outcome.h"
 #include "core/parallel_for.h"
@@ -21,9 +22,10 @@ constexpr int kLaterIterations = 4; // of a round after the first at the finest 
 constexpr double kLeastIntensityNoise = 0.005;
 constexpr double kModelError = 0.15; // pixels that rigid segments leave unexplained
 constexpr double kRelativeDepthNoise = 0.003; // of inverse depth, beside the noise
+constexpr CorrelationAreas kUnmeasured{20.0, 200.0}; // before anything is measured
 constexpr double kSeparation = 0.2; // mean cost that leaving all neighbours costs in
                                     // a window; see AssignmentRules
-constexpr double kBackground = 0.3; // mean cost that leaving a known background costs
+constexpr double kCertain = 1e9;    // prior of AssignmentRules, with a known background
 constexpr double kToleranceShare = 0.1; // a pair alone changes a sum of pairs little
 constexpr double kStartShare = 0.5;     // of the work
 
@@ -172,7 +174,8 @@ WindowSolve::solve (const RigidPose& guess,
 void
 WindowSolve::measureNoise()
 {
-  scene_.noise = {kLeastIntensityNoise, kModelError, 0.0, kRelativeDepthNoise};
+  scene_.noise = {
+      kLeastIntensityNoise, kModelError, 0.0, kRelativeDepthNoise, kUnmeasured};
   for (const RgbdFrame& frame : frames_) {
     scene_.noise.intensity = std::max (scene_.noise.intensity, frame.intensityNoise());
     scene_.noise.inverse_depth =
@@ -229,9 +232,12 @@ WindowSolve::round (const Round& round)
     level_->sharpenRigidBodies (state_);
   monitor_.enter (round.stage, round.level, round.begin, round.end, round.iterations);
   minimize (round.iterations);
+  if (round.level == kCoarsestLevel)
+    measureCorrelation (round.level);
   if (round.merge && user_.merge_bodies) {
     merge();
     reassign();
+    measureCorrelation (round.level);
   }
   if (!round.last)
     return;
@@ -257,6 +263,16 @@ WindowSolve::minimize (int iterations)
   report_.stop_reason = endOfSolve (outcome.settled(), outcome.failed);
 }
 
+/** What the residuals are worth, from those of the present bodies. */
+void
+WindowSolve::measureCorrelation (int level)
+{
+  level_->sweep (state_, DataTerm::Pass::Linearize);
+  scene_.noise.areas =
+      measureCorrelationAreas (level_->terms(), state_, level, scene_.noise.areas);
+  level_->reweigh (state_);
+}
+
 void
 WindowSolve::merge()
 {
@@ -269,7 +285,8 @@ WindowSolve::reassign()
   AssignmentRules rules;
   if (!isPair())
     rules.separation = kSeparation;
-  rules.background = multiframe_.static_background ? kBackground : 0.0;
+  if (multiframe_.static_background)
+    rules.prior = kCertain;
   reassignBodies (level_->terms(), scene_.links, rules, scene_.threads, state_);
 }
 

@@ -109,6 +109,8 @@ private:
   void
   minimize (int iterations);
   void
+  measureCorrelation (int level);
+  void
   merge ();
   void
   reassign ();

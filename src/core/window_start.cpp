@@ -51,7 +51,7 @@ WindowStart::WindowStart (const std::vector<RgbdFrame>& frames,
 , steps_ (pairs.count())
 , to_frame_ (frames.size())
 , exposure_ (frames.size())
-, noise_{0.0, 0.0, 0.0, 0.0}
+, noise_{0.0, 0.0, 0.0, 0.0, {}}
 {
   labels_[pairs.reference()] = segments.labels();
   to_frame_[pairs.reference()].resize (segments.size());
@@ -116,6 +116,8 @@ WindowStart::solveStep (int from, int to, const RigidPose& guess)
   const NoiseModel& noise = solve.scene().noise;
   noise_.intensity = std::max (noise_.intensity, noise.intensity);
   noise_.inverse_depth = std::max (noise_.inverse_depth, noise.inverse_depth);
+  noise_.areas.brightness = std::max (noise_.areas.brightness, noise.areas.brightness);
+  noise_.areas.icp = std::max (noise_.areas.icp, noise.areas.icp);
   noise_.displacement = noise.displacement;
   noise_.relative_depth = noise.relative_depth;
   const BrightnessChange& change = solve.scene().change;
