@@ -14,7 +14,7 @@ using namespace pcl_msf;
 constexpr int kWidth = 320;
 constexpr int kHeight = 240;
 constexpr float kSigmaDepth = 0.001f; // 1 / metres
-constexpr float kSigmaIntensity = 0.01f;
+constexpr float kSigmaIntensity = 1e-4f; // far below the gradient
 
 /** Noise that is the same all over squares. */
 cv::Mat
