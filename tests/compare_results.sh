@@ -60,6 +60,9 @@ run_case () { # TOOLS CASE OPTIONS...
 
 table () { # TOOLS DATA...
   local folder run frames options
+  for folder in "$@"; do
+    [ -d "$folder" ] || { echo "compare_results: $folder is no folder" >&2; exit 2; }
+  done
   rm -rf "$scratch/generated"
   mkdir "$scratch/generated"
   generate "$1" "$scratch/generated"
