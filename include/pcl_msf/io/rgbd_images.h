@@ -20,10 +20,10 @@ struct RgbdImages {
   /** \brief What `color` was made of when the file has no bytes but numbers of a range
    * of its own (intensities of ToF cameras, lidars, infrared; colours as floats):
    * CV_32FC1 or CV_32FC3 (BGR), as in the file; empty otherwise. See unifyColors. */
-  cv::Mat raw_color;
+  cv::Mat raw_color{};
 
   /** \brief What of the file was not used, and why; empty when all was. */
-  std::string note;
+  std::string note{};
 };
 
 /** \brief The unit of the frames' raw colours: what stands for full brightness when all
