@@ -126,7 +126,7 @@ generatedOptions (GeneratedOptions& g)
             "A,B",
             "none, kinect [none,kinect]",
             several<Sensor> (g.sensors,
-                             {{"none", Sensor::None}, {"kinect", Sensor::Kinect}})},
+                             {{"none", Sensor::Ideal}, {"kinect", Sensor::Kinect}})},
            {"--seed", "N", "of everything [1]", number (g.seed)},
            {"--size", "WxH", "pixels [640x480]", size (g.width, g.height)},
            {"--frames", "N", "of a sequence [2]", number (g.frames)}}};

@@ -4,6 +4,8 @@
 
 #include <pcl/search/kdtree.h>
 
+#include <pcl_msf/build_compatibility.h>
+
 #include <atomic>
 #include <mutex>
 

@@ -4,6 +4,7 @@
 
 #include <pcl/registration/registration.h>
 
+#include <pcl_msf/build_compatibility.h>
 #include <pcl_msf/lazy_kd_tree.h>
 #include <pcl_msf/multiframe_estimator.h>
 #include <pcl_msf/registration_settings.h>
@@ -83,7 +84,8 @@ noSceneFlow ();
  *
  * Instantiated for PointXYZ, PointXYZI, PointXYZRGB, PointXYZRGBA and
  * PointXYZRGBNormal; for other types define PCL_NO_PRECOMPILE before including PCL's
- * headers, as for PCL.
+ * headers, as for PCL. Code compiled with -march=native, -mavx2 and the like gets
+ * instances of its own, see build_compatibility.h.
  */
 template <typename PointT>
 class PiecewiseRigidRegistration : public pcl::Registration<PointT, PointT, float>,
@@ -172,7 +174,7 @@ public:
    * motion, which builds the kd-tree; NaN points, on which it would abort with PCL's
    * own tree, do not count. */
   double
-  getFitnessScore (double max_range = std::numeric_limits<double>::max());
+  getFitnessScore (double max_range = (std::numeric_limits<double>::max)());
 
   /** \brief Pairs of the last align: source index, target index at the pixel that the
    * warped point projects to, squared distance; visible points only. */
@@ -272,7 +274,7 @@ public:
 
 #include <pcl_msf/impl/piecewise_rigid_registration.hpp>
 
-#ifndef PCL_NO_PRECOMPILE
+#if !defined(PCL_NO_PRECOMPILE) && PCL_MSF_SAME_LAYOUT
 namespace pcl_msf {
 extern template class PiecewiseRigidRegistration<pcl::PointXYZ>;
 extern template class PiecewiseRigidRegistration<pcl::PointXYZI>;

@@ -138,7 +138,7 @@ makeFrames (std::vector<CloudImages> clouds,
     const bool outermost = k != reference && (k == 0 || k == count - 1);
     FrameParameters own = parameters;
     if (outermost)
-      own.normals = NormalMethod::None;
+      own.normals = NormalMethod::Skip;
     frames.push_back (RgbdFrame::fromImages (
         clouds[k].color, depths[k], used, own, k == reference ? normals : cv::Mat()));
   }
@@ -167,8 +167,9 @@ segmentsHolding (const pcl::Indices& points,
 }
 
 RigidPose
-startPose (const Eigen::Matrix4f& guess)
+startPose (const UnalignedMatrix4& unaligned)
 {
+  const Eigen::Matrix4f guess = unaligned;
   const Eigen::Matrix3f r = guess.topLeftCorner<3, 3>();
   const Eigen::RowVector4f last_row (0.0f, 0.0f, 0.0f, 1.0f);
   const bool rigid =
@@ -231,14 +232,11 @@ lastTarget (int frames, int reference)
 }
 
 std::string
-findPose (const MultiframeSceneFlow& result,
-          int from,
-          int to,
-          int segment,
-          Eigen::Matrix4f& pose)
+findPose (
+    const MultiframeSceneFlow& result, int from, int to, int segment, RigidPose& pose)
 {
   try {
-    pose = result.poseBetween (from, to, segment).matrix();
+    pose = result.poseBetween (from, to, segment);
     return {};
   }
   catch (const InvalidInput& error) {
