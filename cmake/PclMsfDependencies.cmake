@@ -1,23 +1,52 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Finds what the project links; a missing package gives one line with its Debian name.
+# Finds what the project links; a missing package gives one line with its remedy.
 
 macro (pcl_msf_require package debian_name)
   find_package (${package} QUIET ${ARGN})
   if (NOT ${package}_FOUND)
-    message (FATAL_ERROR "pcl_msf needs ${package}: sudo apt-get install ${debian_name}")
+    message (FATAL_ERROR "pcl_msf needs ${package}: install it, or name its place in "
+      "CMAKE_PREFIX_PATH (Debian: ${debian_name})")
   endif ()
 endmacro ()
 
 pcl_msf_require (Eigen3 libeigen3-dev)
 pcl_msf_require (PCL libpcl-dev COMPONENTS common kdtree search)
 pcl_msf_require (Ceres libceres-dev)
-pcl_msf_require (OpenCV libopencv-dev COMPONENTS core imgproc video imgcodecs)
 pcl_msf_require (Threads libc6-dev)
-find_package (OpenCV QUIET COMPONENTS core imgproc video imgcodecs ximgproc
-  OPTIONAL_COMPONENTS optflow)
-if (NOT OpenCV_ximgproc_FOUND AND NOT TARGET opencv_ximgproc)
-  message (FATAL_ERROR
-    "pcl_msf needs OpenCV's ximgproc: sudo apt-get install libopencv-contrib-dev")
+pcl_msf_require (OpenCV libopencv-dev COMPONENTS core imgproc video imgcodecs
+  OPTIONAL_COMPONENTS ximgproc optflow)
+
+set (PCL_MSF_XIMGPROC "") # the target
+set (PCL_MSF_XIMGPROC_NAME "")
+if (TARGET opencv_ximgproc AND PCL_MSF_WITH_XIMGPROC)
+  set (PCL_MSF_XIMGPROC opencv_ximgproc)
+  set (PCL_MSF_XIMGPROC_NAME ximgproc)
+elseif (PCL_MSF_WITH_XIMGPROC AND NOT PCL_MSF_WITH_XIMGPROC STREQUAL "AUTO")
+  message (FATAL_ERROR "pcl_msf needs OpenCV's ximgproc: install OpenCV's contrib "
+    "modules (Debian: libopencv-contrib-dev)")
+else ()
+  message (STATUS "pcl_msf is built without OpenCV's ximgproc (Debian: "
+    "libopencv-contrib-dev): no Felzenszwalb and no SLIC segmentation")
 endif ()
 
+if (PCL_MSF_BUILD_VISUALIZATION)
+  include (PclMsfVtk)
+  if (PCL_MSF_VTK_PROBLEM AND NOT PCL_MSF_BUILD_VISUALIZATION STREQUAL "AUTO")
+    message (FATAL_ERROR "pcl_msf visualization: ${PCL_MSF_VTK_PROBLEM}")
+  elseif (PCL_MSF_VTK_PROBLEM)
+    message (STATUS "pcl_msf is built without visualization: ${PCL_MSF_VTK_PROBLEM}")
+  endif ()
+endif ()
+
+set (pcl_msf_plain_pcl features io)
+if (PCL_MSF_BUILD_EXAMPLES OR PCL_MSF_BUILD_TESTS)
+  list (APPEND pcl_msf_plain_pcl registration)
+  if (PCL_MSF_VTK_TARGETS)
+    list (APPEND pcl_msf_plain_pcl visualization)
+  endif ()
+endif ()
 include (PclMsfPlainPcl)
+if (pcl_msf_plain_pcl_missing)
+  message (FATAL_ERROR "pcl_msf needs PCL's libraries ${pcl_msf_plain_pcl_missing}: "
+    "install them beside pcl_common (Debian: libpcl-dev)")
+endif ()

@@ -2,27 +2,30 @@
 # PCL's config ties VTK to the features and io targets although libpcl_features needs
 # none of it. These targets name the libraries alone. The installed config includes this
 # file, too, after find_package (PCL).
+# In: pcl_msf_plain_pcl, the names of components. Made for each, if not there yet: target
+# pcl_msf::plain_pcl_<component>. Out: pcl_msf_plain_pcl_missing.
 
-# pcl_msf_plain_pcl (<component>): target pcl_msf::plain_pcl_<component>, if not there yet.
-function (pcl_msf_plain_pcl component)
-  if (TARGET pcl_msf::plain_pcl_${component})
-    return ()
+set (pcl_msf_plain_pcl_missing "")
+get_target_property (pcl_msf_common_library pcl_common IMPORTED_LOCATION)
+if (NOT pcl_msf_common_library)
+  get_target_property (pcl_msf_common_library pcl_common IMPORTED_LOCATION_RELEASE)
+endif ()
+get_filename_component (pcl_msf_pcl_dir "${pcl_msf_common_library}" DIRECTORY)
+foreach (pcl_msf_component IN LISTS pcl_msf_plain_pcl)
+  set (pcl_msf_target pcl_msf::plain_pcl_${pcl_msf_component})
+  set (pcl_msf_variable PCL_MSF_PCL_${pcl_msf_component}_LIBRARY)
+  find_library (${pcl_msf_variable} pcl_${pcl_msf_component} HINTS ${pcl_msf_pcl_dir})
+  mark_as_advanced (${pcl_msf_variable})
+  if (NOT ${pcl_msf_variable})
+    list (APPEND pcl_msf_plain_pcl_missing ${pcl_msf_component})
+  elseif (NOT TARGET ${pcl_msf_target})
+    add_library (${pcl_msf_target} INTERFACE IMPORTED GLOBAL)
+    target_link_libraries (${pcl_msf_target} INTERFACE
+      ${${pcl_msf_variable}} pcl_common pcl_search)
   endif ()
-  get_target_property (common_library pcl_common IMPORTED_LOCATION)
-  if (NOT common_library)
-    get_target_property (common_library pcl_common IMPORTED_LOCATION_RELEASE)
-  endif ()
-  get_filename_component (library_dir "${common_library}" DIRECTORY)
-  find_library (PCL_MSF_PCL_${component}_LIBRARY pcl_${component} HINTS ${library_dir})
-  mark_as_advanced (PCL_MSF_PCL_${component}_LIBRARY)
-  if (NOT PCL_MSF_PCL_${component}_LIBRARY)
-    message (FATAL_ERROR
-      "pcl_msf needs PCL's ${component} library: sudo apt-get install libpcl-dev")
-  endif ()
-  add_library (pcl_msf::plain_pcl_${component} INTERFACE IMPORTED GLOBAL)
-  target_link_libraries (pcl_msf::plain_pcl_${component} INTERFACE
-    ${PCL_MSF_PCL_${component}_LIBRARY} pcl_common pcl_search)
-endfunction ()
-
-pcl_msf_plain_pcl (features)
-pcl_msf_plain_pcl (io)
+endforeach ()
+unset (pcl_msf_common_library)
+unset (pcl_msf_pcl_dir)
+unset (pcl_msf_component)
+unset (pcl_msf_target)
+unset (pcl_msf_variable)

@@ -2,6 +2,10 @@
 # How the project's own targets are made and installed.
 
 set (PCL_MSF_CONFIG_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/pcl_msf")
+set (PCL_MSF_SOVERSION ${PROJECT_VERSION_MAJOR})
+if (PROJECT_VERSION_MAJOR EQUAL 0) # every 0.x may change the interface
+  set (PCL_MSF_SOVERSION 0.${PROJECT_VERSION_MINOR})
+endif ()
 
 # Settings that all of the project's targets share; none of them is exported but C++17.
 function (pcl_msf_target_settings target)
@@ -29,6 +33,7 @@ function (pcl_msf_library target)
   pcl_msf_target_settings (${target})
   target_include_directories (${target}
     PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+           $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include>
            $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
     PRIVATE ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries (${target}
@@ -36,12 +41,15 @@ function (pcl_msf_library target)
   string (REGEX REPLACE "^pcl_msf_" "" export_name ${target})
   set_target_properties (${target} PROPERTIES
     EXPORT_NAME ${export_name} VERSION ${PROJECT_VERSION}
-    SOVERSION ${PROJECT_VERSION_MAJOR} POSITION_INDEPENDENT_CODE ON)
+    SOVERSION ${PCL_MSF_SOVERSION} POSITION_INDEPENDENT_CODE ON)
   if (BUILD_SHARED_LIBS) # the components find each other wherever they are installed
     set_target_properties (${target} PROPERTIES INSTALL_RPATH "$ORIGIN")
   endif ()
   add_library (pcl_msf::${export_name} ALIAS ${target})
-  pcl_msf_install_library (${target})
+  set_property (GLOBAL APPEND PROPERTY PCL_MSF_LIBRARIES ${target})
+  if (PCL_MSF_INSTALL)
+    pcl_msf_install_library (${target})
+  endif ()
 endfunction ()
 
 # One export file per library, so that find_package loads only the components asked for.
@@ -52,7 +60,6 @@ function (pcl_msf_install_library target)
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install (EXPORT ${target}_targets NAMESPACE pcl_msf::
     FILE ${target}_targets.cmake DESTINATION ${PCL_MSF_CONFIG_DIR})
-  set_property (GLOBAL APPEND PROPERTY PCL_MSF_LIBRARIES ${target})
 endfunction ()
 
 # pcl_msf_tool (name SOURCES ... LINK ...): a program that is installed.
@@ -65,5 +72,7 @@ function (pcl_msf_tool target)
     set_target_properties (${target} PROPERTIES
       INSTALL_RPATH "$ORIGIN/../${CMAKE_INSTALL_LIBDIR}")
   endif ()
-  install (TARGETS ${target} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  if (PCL_MSF_INSTALL)
+    install (TARGETS ${target} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  endif ()
 endfunction ()

@@ -10,7 +10,7 @@ cd "$source_dir"
 
 for tool in clang-format clang-tidy; do
   if ! command -v "$tool" >/dev/null; then
-    echo "check_style: sudo apt-get install $tool" >&2
+    echo "check_style: $tool is missing (Debian: $tool)" >&2
     exit 1
   fi
 done

@@ -7,7 +7,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/build_tree.sh"
 
 if ! command -v convert >/dev/null; then
-  echo "pictures: sudo apt-get install imagemagick" >&2
+  echo "pictures: ImageMagick is missing (Debian: imagemagick)" >&2
   exit 1
 fi
 configure -DPCL_MSF_BUILD_EXAMPLES=ON -DPCL_MSF_BUILD_VISUALIZATION=ON

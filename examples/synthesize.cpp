@@ -47,7 +47,7 @@ optionTable (SynthesizeOptions& o)
                "average motion a frame at 640 px width, 0 = as --motion says",
                s.motion_pixels),
       oneOf<Sensor> (
-          "--sensor", s.sensor, {{"none", Sensor::None}, {"kinect", Sensor::Kinect}}),
+          "--sensor", s.sensor, {{"none", Sensor::Ideal}, {"kinect", Sensor::Kinect}}),
       numeric ("--width", "PX", "", s.width),
       numeric ("--height", "PX", "", s.height),
       numeric ("--frames", "N", "", s.frames),

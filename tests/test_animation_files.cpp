@@ -59,7 +59,7 @@ TEST_F (AnimationFiles, SaysWhatIsMissing)
 {
   expectIoError ([this] { writeGif (folder_ ("a.gif"), pictures_, 10.0); },
                  "a.gif",
-                 "sudo apt-get install ffmpeg");
+                 "install FFmpeg (Debian: ffmpeg)");
   expectIoError (
       [this] { writeGif (folder_ ("a.gif"), {}, 10.0); }, "a.gif", "picture");
   EXPECT_FALSE (std::filesystem::exists (folder_ ("a.gif")));

@@ -91,19 +91,19 @@ TEST_P (GeneratedScenes, AreFollowed)
 INSTANTIATE_TEST_SUITE_P (
     All,
     GeneratedScenes,
-    testing::Values (Case{Scene::StaticRoom, MotionSize::Easy, Sensor::None, 0.1},
+    testing::Values (Case{Scene::StaticRoom, MotionSize::Easy, Sensor::Ideal, 0.1},
                      Case{Scene::StaticRoom, MotionSize::Easy, Sensor::Kinect, 0.25},
-                     Case{Scene::MultiBody, MotionSize::Easy, Sensor::None, 0.1},
-                     Case{Scene::MultiBody, MotionSize::Large, Sensor::None, 0.5},
-                     Case{Scene::Articulated, MotionSize::Easy, Sensor::None, 0.1},
+                     Case{Scene::MultiBody, MotionSize::Easy, Sensor::Ideal, 0.1},
+                     Case{Scene::MultiBody, MotionSize::Large, Sensor::Ideal, 0.5},
+                     Case{Scene::Articulated, MotionSize::Easy, Sensor::Ideal, 0.1},
                      Case{Scene::Articulated, MotionSize::Easy, Sensor::Kinect, 0.25},
-                     Case{Scene::Bending, MotionSize::Easy, Sensor::None, 0.25},
-                     Case{Scene::Breathing, MotionSize::Easy, Sensor::None, 0.25}));
+                     Case{Scene::Bending, MotionSize::Easy, Sensor::Ideal, 0.25},
+                     Case{Scene::Breathing, MotionSize::Easy, Sensor::Ideal, 0.25}));
 
 TEST (BlendedMotions, FollowSoftSurfacesBetter)
 {
   const SyntheticSequence sequence =
-      pair ({Scene::Breathing, MotionSize::Easy, Sensor::None, 0.0});
+      pair ({Scene::Breathing, MotionSize::Easy, Sensor::Ideal, 0.0});
   SolverParameters solver;
   solver.blend_motions = false;
   const double apart = meanError (estimate (sequence, solver), sequence);
@@ -114,7 +114,7 @@ TEST (BlendedMotions, FollowSoftSurfacesBetter)
 TEST (BlendedMotions, LeaveASingleRigidBodyAsItIs)
 {
   const SyntheticSequence sequence =
-      pair ({Scene::StaticRoom, MotionSize::Easy, Sensor::None, 0.0});
+      pair ({Scene::StaticRoom, MotionSize::Easy, Sensor::Ideal, 0.0});
   const RgbdFrame frame = RgbdFrame::fromImages (
       sequence.frames[0].color, sequence.frames[0].depth, sequence.camera);
   SegmentationParameters single;

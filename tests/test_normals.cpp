@@ -138,7 +138,7 @@ TEST (CentralDifferences, FindAFloorAtAGrazingAngle)
 TEST (NormalMethods, NoneLeavesThemOut)
 {
   FrameParameters parameters;
-  parameters.normals = NormalMethod::None;
+  parameters.normals = NormalMethod::Skip;
   const RgbdFrame frame =
       RgbdFrame::fromImages ({}, slantedPlane(), kCamera, parameters);
   for (const FrameLevel& level : frame.levels())

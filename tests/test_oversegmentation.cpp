@@ -9,6 +9,7 @@
 
 #include <random>
 #include <set>
+#include <vector>
 
 namespace {
 
@@ -111,17 +112,30 @@ TEST_P (EveryMethod, WorksWithoutColour)
 INSTANTIATE_TEST_SUITE_P (Methods,
                           EveryMethod,
                           testing::Values (SegmentationMethod::TangentPlane,
-                                           SegmentationMethod::Felzenszwalb,
-                                           SegmentationMethod::Slic,
                                            SegmentationMethod::Tiles,
                                            SegmentationMethod::Single));
+#if PCL_MSF_HAS_XIMGPROC
+INSTANTIATE_TEST_SUITE_P (LibraryMethods,
+                          EveryMethod,
+                          testing::Values (SegmentationMethod::Felzenszwalb,
+                                           SegmentationMethod::Slic));
+#endif
+
+/** The methods that ask OpenCV's ximgproc, where it is there, and one more. */
+std::vector<SegmentationMethod>
+libraryMethodAnd (SegmentationMethod library, SegmentationMethod other)
+{
+  if (PCL_MSF_HAS_XIMGPROC)
+    return {other, library};
+  return {other};
+}
 
 TEST (Oversegmentation, DepthEdgesAreRespected)
 {
   const test::AnalyticScene scene = boxBeforeWall();
   const test::View view = scene.render (false);
-  for (const auto method :
-       {SegmentationMethod::TangentPlane, SegmentationMethod::Felzenszwalb}) {
+  for (const auto method : libraryMethodAnd (SegmentationMethod::Felzenszwalb,
+                                             SegmentationMethod::TangentPlane)) {
     SegmentationParameters p;
     p.method = method;
     p.min_points = 200;
@@ -190,9 +204,10 @@ TEST (Oversegmentation, RecedingFloorIsNotCutIntoStrips)
 TEST (Oversegmentation, SegmentsHaveTheAimedSize)
 {
   const test::AnalyticScene scene = test::roomWithBox();
-  for (const auto method : {SegmentationMethod::TangentPlane,
-                            SegmentationMethod::Slic,
-                            SegmentationMethod::Tiles})
+  auto methods =
+      libraryMethodAnd (SegmentationMethod::Slic, SegmentationMethod::TangentPlane);
+  methods.push_back (SegmentationMethod::Tiles);
+  for (const auto method : methods)
     for (const int side : {12, 24}) {
       SegmentationParameters p;
       p.method = method;
@@ -209,6 +224,8 @@ TEST (Oversegmentation, SegmentsHaveTheAimedSize)
 
 TEST (Oversegmentation, FelzenszwalbMergesOrDiscardsSmallSegments)
 {
+  if (!PCL_MSF_HAS_XIMGPROC)
+    GTEST_SKIP() << "built without OpenCV's ximgproc";
   test::AnalyticScene scene = boxBeforeWall();
   scene.quads.push_back ({{0.3, 0.25, 1.0}, {0.1, 0, 0}, {0, 0.1, 0}, 2, 0.0});
   scene.motions.resize (3);

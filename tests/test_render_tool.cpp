@@ -121,7 +121,7 @@ TEST_F (RenderCase, NamesThePackageThatIsMissing)
                    " --kind warped --output " + folder_ ("out"));
   EXPECT_EQ (refused.status, 1);
   EXPECT_EQ (refused.errorLines(), 1) << refused.err;
-  EXPECT_THAT (refused.err, HasSubstr ("sudo apt-get install xvfb"));
+  EXPECT_THAT (refused.err, HasSubstr ("install it (Debian: xvfb)"));
 }
 
 TEST_F (RenderCase, AnimationsAreNumberedPictures)

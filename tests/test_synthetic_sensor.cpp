@@ -30,7 +30,7 @@ protected:
   static void
   SetUpTestSuite ()
   {
-    clean_ = synthesize (roomOptions (Sensor::None));
+    clean_ = synthesize (roomOptions (Sensor::Ideal));
     noisy_ = synthesize (roomOptions (Sensor::Kinect));
   }
 

@@ -125,7 +125,7 @@ generatedOptions (GeneratedOptions& g)
             "A,B",
             "none, kinect [none,kinect]",
             several<Sensor> (g.sensors,
-                             {{"none", Sensor::None}, {"kinect", Sensor::Kinect}})},
+                             {{"none", Sensor::Ideal}, {"kinect", Sensor::Kinect}})},
            numeric ("--seed", "N", "of everything", g.seed),
            {"--size", "WxH", "pixels [640x480]", size (g.width, g.height)},
            numeric ("--frames", "N", "of a sequence", g.frames)}};

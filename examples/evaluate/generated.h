@@ -15,7 +15,7 @@ namespace pcl_msf::tool {
 struct GeneratedOptions {
   std::vector<Scene> scenes{allScenes()};
   std::vector<MotionSize> motions{MotionSize::Easy, MotionSize::Large};
-  std::vector<Sensor> sensors{Sensor::None, Sensor::Kinect};
+  std::vector<Sensor> sensors{Sensor::Ideal, Sensor::Kinect};
   int width{640};
   int height{480};
   int frames{2};

@@ -139,7 +139,7 @@ EvaluateOptions::settings() const
     for (const MotionSize motion : g.motions)
       text += motion == MotionSize::Easy ? " easy" : " large";
     for (const Sensor sensor : g.sensors)
-      text += sensor == Sensor::None ? " none" : " kinect";
+      text += sensor == Sensor::Ideal ? " none" : " kinect";
   }
   else {
     text += " pass=" + reading.pass + " view=" + reading.view;

@@ -139,7 +139,7 @@ OwnMethod::run (const PairData& pair) const
 {
   const bool color = !pair.reference.color.empty() && !pair.current.color.empty();
   FrameParameters target = options_.frame;
-  target.normals = NormalMethod::None;
+  target.normals = NormalMethod::Skip;
   StopWatch total, watch;
   const auto policy =
       options_.solver.threads == 1 ? std::launch::deferred : std::launch::async;

@@ -20,7 +20,7 @@ double
 depthNoise (const io::RgbdImages& images)
 {
   FrameParameters parameters;
-  parameters.normals = NormalMethod::None;
+  parameters.normals = NormalMethod::Skip;
   parameters.max_levels = 1;
   return RgbdFrame::fromImages ({}, images.depth, images.camera, parameters)
       .inverseDepthNoise();

@@ -169,7 +169,7 @@ public:
   to (const io::RgbdImages& images, const std::function<bool()>& go_on) const
   {
     FrameParameters target;
-    target.normals = NormalMethod::None;
+    target.normals = NormalMethod::Skip;
     SolverParameters solver;
     solver.progress = [&go_on] (const Progress&) { return go_on(); };
     const SceneFlow flow =

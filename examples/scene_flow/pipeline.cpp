@@ -40,7 +40,7 @@ makeFrames (const Options& options,
   for (int k = 0; k < count; ++k) {
     FrameParameters parameters = options.frame;
     if (k != reference && (k == 0 || k == count - 1))
-      parameters.normals = NormalMethod::None;
+      parameters.normals = NormalMethod::Skip;
     later.push_back (std::async (policy, [&images, k, parameters] {
       return RgbdFrame::fromImages (
           images[k].color, images[k].depth, images[k].camera, parameters);

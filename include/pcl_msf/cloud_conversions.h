@@ -7,6 +7,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/build_compatibility.h>
 #include <pcl_msf/pinhole_camera.h>
 
 #include <string>

@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <pcl_msf/build_compatibility.h>
+
 #include <atomic>
 #include <mutex>
 

@@ -11,7 +11,7 @@ namespace pcl_msf {
 enum class NormalMethod {
   CentralDifferences, ///< Eq. 9: cross product of central differences
   IntegralImage,      ///< pcl::IntegralImageNormalEstimation
-  None                ///< not computed: enough for a frame that is only a target
+  Skip                ///< not computed: enough for a frame that is only a target
 };
 
 /** \brief How a frame is prepared. */

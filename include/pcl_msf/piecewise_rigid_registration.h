@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/build_compatibility.h>
 #include <pcl_msf/impl/independent_registration.h>
 #include <pcl_msf/impl/point_selection.h>
 #include <pcl_msf/lazy_kd_tree.h>
@@ -100,7 +101,8 @@ noSceneFlow ();
  *
  * Instantiated for PointXYZ, PointXYZI, PointXYZRGB, PointXYZRGBA and
  * PointXYZRGBNormal; for other types define PCL_NO_PRECOMPILE before including PCL's
- * headers, as for PCL.
+ * headers, as for PCL. Code compiled with -march=native, -mavx2 and the like gets
+ * instances of its own, see build_compatibility.h.
  */
 template <typename PointT>
 class PiecewiseRigidRegistration : public detail::IndependentRegistration<PointT>,
@@ -205,7 +207,7 @@ public:
    * with PCL's own tree (NaN) or which it would take for points (z <= 0), do not
    * count. */
   double
-  getFitnessScore (double max_range = std::numeric_limits<double>::max());
+  getFitnessScore (double max_range = (std::numeric_limits<double>::max)());
 
   /** \brief Pairs of the last align: source index, target index at the pixel that the
    * warped point projects to, squared distance; visible points only. */
@@ -304,7 +306,7 @@ public:
 
 #include <pcl_msf/impl/piecewise_rigid_registration.hpp>
 
-#ifndef PCL_NO_PRECOMPILE
+#if !defined(PCL_NO_PRECOMPILE) && PCL_MSF_SAME_LAYOUT
 namespace pcl_msf {
 extern template class PiecewiseRigidRegistration<pcl::PointXYZ>;
 extern template class PiecewiseRigidRegistration<pcl::PointXYZI>;

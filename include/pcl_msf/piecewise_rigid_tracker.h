@@ -109,7 +109,7 @@ private:
 
 #include <pcl_msf/impl/piecewise_rigid_tracker.hpp>
 
-#ifndef PCL_NO_PRECOMPILE
+#if !defined(PCL_NO_PRECOMPILE) && PCL_MSF_SAME_LAYOUT
 namespace pcl_msf {
 extern template class PiecewiseRigidTracker<pcl::PointXYZ>;
 extern template class PiecewiseRigidTracker<pcl::PointXYZI>;

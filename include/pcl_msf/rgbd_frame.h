@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/build_compatibility.h>
 #include <pcl_msf/parameters.h>
 #include <pcl_msf/pinhole_camera.h>
 

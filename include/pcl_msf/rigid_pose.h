@@ -15,6 +15,14 @@ using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::DontAlign>;
 /** \brief 6-vector without alignment requirements. */
 using Vector6 = Eigen::Matrix<double, 6, 1, Eigen::DontAlign>;
 
+// What lies in public structures or passes between the library and code compiled with
+// other vector instructions: 4x4 matrices of floats would not do.
+static_assert (alignof (Matrix6) == alignof (double) &&
+               alignof (Vector6) == alignof (double) &&
+               alignof (Eigen::Matrix3d) == alignof (double) &&
+               alignof (Eigen::Vector3d) == alignof (double) &&
+               alignof (Eigen::Vector3f) == alignof (float));
+
 /** \brief A rigid motion `b_from_a` as (angle-axis, translation): the paper's T_k.
  *
  * Six doubles: rotation vector in radians (axis times angle), translation in metres. It
@@ -29,8 +37,12 @@ struct RigidPose {
 
   /** \brief From the upper 3x4 of a homogeneous matrix; the rotation part is projected
    * to the nearest rotation. */
-  static RigidPose
-  fromMatrix (const Eigen::Matrix<float, 4, 4>& b_from_a);
+  static EIGEN_ALWAYS_INLINE RigidPose // never compiled once for callers that differ
+  fromMatrix (const Eigen::Matrix<float, 4, 4>& b_from_a)
+  {
+    return fromNearestRotation (b_from_a.topLeftCorner<3, 3>().cast<double>(),
+                                b_from_a.topRightCorner<3, 1>().cast<double>());
+  }
 
   /** \brief Eq. 4, safe at zero angle. */
   Eigen::Matrix<double, 3, 3>
@@ -52,8 +64,14 @@ struct RigidPose {
   RigidPose
   inverse () const;
 
-  Eigen::Matrix<float, 4, 4>
-  matrix () const;
+  EIGEN_ALWAYS_INLINE Eigen::Matrix<float, 4, 4>
+  matrix () const
+  {
+    Eigen::Matrix<float, 4, 4> m = Eigen::Matrix<float, 4, 4>::Identity();
+    m.topLeftCorner<3, 3>() = rotation().cast<float>();
+    m.topRightCorner<3, 1>() = translation().cast<float>();
+    return m;
+  }
 
   /** \brief Rotation angle, radians in [0, pi]. */
   double
@@ -61,7 +79,13 @@ struct RigidPose {
 
   bool
   isFinite () const;
+
+private:
+  static RigidPose
+  fromNearestRotation (const Eigen::Matrix<double, 3, 3>& matrix,
+                       const Eigen::Vector3d& translation);
 };
+static_assert (sizeof (RigidPose) == 6 * sizeof (double));
 
 /** \brief Rotation matrix of a rotation vector (Eq. 4), safe at zero. */
 Eigen::Matrix<double, 3, 3>

@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/build_compatibility.h>
 #include <pcl_msf/pinhole_camera.h>
 #include <pcl_msf/rigid_pose.h>
 
@@ -31,6 +32,8 @@ struct SegmentMotion {
                 ///< kept connected; 0 = the largest
   Eigen::Vector3d centroid{Eigen::Vector3d::Zero()}; ///< reference frame, metres
 };
+static_assert (alignof (SegmentMotion) == alignof (double) &&
+               sizeof (SegmentMotion) == sizeof (double[6 + 36 + 3]) + sizeof (int[6]));
 
 /** \brief Two neighbouring segments and the strength of their connection. */
 struct SegmentPair {

@@ -31,7 +31,7 @@ struct PoseQuadratic {
     Matrix6 m = a;
     const double ridge = kRounding * a.trace() + 1e-15;
     m.diagonal().array() += ridge;
-    best = m.ldlt().solve (h + ridge * prior);
+    best = Eigen::LDLT<Matrix6> (m).solve (h + ridge * prior);
     return 0.5 * best.dot (a * best) - h.dot (best);
   }
 };

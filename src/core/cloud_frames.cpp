@@ -155,7 +155,7 @@ makeFrames (std::vector<CloudImages> clouds,
     const bool outermost = k != reference && (k == 0 || k == count - 1);
     FrameParameters own = parameters;
     if (outermost)
-      own.normals = NormalMethod::None;
+      own.normals = NormalMethod::Skip;
     frames.push_back (RgbdFrame::fromImages (
         clouds[k].color, depths[k], used, own, k == reference ? normals : cv::Mat()));
   }

@@ -10,7 +10,7 @@ namespace {
 
 // A body as four vectors: its centre, which translations move, and three spreads, which
 // they don't.
-using Vectors = Eigen::Matrix<double, 3, 4>;
+using Vectors = Eigen::Matrix<double, 3, 4, Eigen::DontAlign>;
 using RowMajor = Eigen::Matrix<double, 12, 6, Eigen::RowMajor>;
 
 RigidPose

@@ -19,8 +19,9 @@ constexpr double kSeenEnough = 0.15; // share of visible points that decides
 constexpr double kRankShare = 1e-5;  // of the largest eigenvalue
 
 /** Rank of an information matrix about the segment's own centroid, with rotations
- * measured at its radius, so that all six directions are metres. */
-int
+ * measured at its radius, so that all six directions are metres. Flat as the factor of
+ * a CompressedBlock. */
+[[gnu::flatten]] int
 numericalRank (const Matrix6& information,
                const RigidPose& pose,
                const Eigen::Vector3d& c,

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace pcl_msf {
 
@@ -138,24 +139,28 @@ normalsByCentralDifferences (const cv::Mat& w,
   return normals;
 }
 
-cv::Mat
+// Flat, so that no copy of the clouds' functions is left that a program's own, with
+// another allocator, could replace.
+[[gnu::flatten]] cv::Mat
 normalsByIntegralImage (const cv::Mat& w, const PinholeCamera& camera)
 {
-  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud (
-      new pcl::PointCloud<pcl::PointXYZ> (w.cols, w.rows));
+  // Both clouds are made and freed here and keep their size: what frees or enlarges
+  // them elsewhere may be compiled with another allocator, see build_compatibility.h.
+  pcl::PointCloud<pcl::PointXYZ> cloud (w.cols, w.rows);
+  pcl::PointCloud<pcl::Normal> found (w.cols, w.rows);
   const float nan = std::numeric_limits<float>::quiet_NaN();
   for (int y = 0; y < w.rows; ++y)
     for (int x = 0; x < w.cols; ++x) {
       const float value = w.at<float> (y, x);
       const float z = value > 0.0f ? 1.0f / value : nan;
-      cloud->at (x, y).getVector3fMap() = camera.backProject (x, y, z).cast<float>();
+      cloud.at (x, y).getVector3fMap() = camera.backProject (x, y, z).cast<float>();
     }
   pcl::IntegralImageNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
   estimation.setNormalEstimationMethod (estimation.AVERAGE_3D_GRADIENT);
   estimation.setMaxDepthChangeFactor (0.02f);
   estimation.setNormalSmoothingSize (10.0f);
-  estimation.setInputCloud (cloud);
-  pcl::PointCloud<pcl::Normal> found;
+  estimation.setInputCloud (
+      pcl::PointCloud<pcl::PointXYZ>::ConstPtr (std::shared_ptr<void>(), &cloud));
   estimation.compute (found);
   cv::Mat normals = cv::Mat::zeros (w.size(), CV_32FC3);
   for (int y = 0; y < w.rows; ++y)

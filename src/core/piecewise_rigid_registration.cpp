@@ -2,6 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <pcl_msf/piecewise_rigid_registration.h>
 
+static_assert (PCL_MSF_SAME_LAYOUT,
+               "the flags are others than those that config.h was made for: give them "
+               "in CMAKE_CXX_FLAGS and configure again");
+
 namespace pcl_msf {
 
 template class PiecewiseRigidRegistration<pcl::PointXYZ>;

@@ -39,8 +39,9 @@ segmentsHolding (const pcl::Indices& points,
 }
 
 RigidPose
-startPose (const Eigen::Matrix4f& guess)
+startPose (const UnalignedMatrix4& unaligned)
 {
+  const Eigen::Matrix4f guess = unaligned;
   const Eigen::Matrix3f r = guess.topLeftCorner<3, 3>();
   const Eigen::RowVector4f last_row (0.0f, 0.0f, 0.0f, 1.0f);
   const bool rigid =
@@ -101,14 +102,11 @@ lastTarget (int frames, int reference)
 }
 
 std::string
-findPose (const MultiframeSceneFlow& result,
-          int from,
-          int to,
-          int segment,
-          Eigen::Matrix4f& pose)
+findPose (
+    const MultiframeSceneFlow& result, int from, int to, int segment, RigidPose& pose)
 {
   try {
-    pose = result.poseBetween (from, to, segment).matrix();
+    pose = result.poseBetween (from, to, segment);
     return {};
   }
   catch (const InvalidInput& error) {

@@ -131,7 +131,7 @@ RgbdFrame::fromImages (const cv::Mat& color,
     level.normals = unitOrZero (normals);
   else if (parameters.normals == NormalMethod::IntegralImage)
     level.normals = normalsByIntegralImage (level.inverse_depth, camera);
-  else if (parameters.normals == NormalMethod::None)
+  else if (parameters.normals == NormalMethod::Skip)
     level.normals = cv::Mat::zeros (depth.size(), CV_32FC3);
   else
     level.normals = normalsByCentralDifferences (

@@ -144,7 +144,7 @@ FlowFit::step()
   a.topLeftCorner<3, 3>().diagonal().array() += prior;
   b.head<3>() += prior * rotation_vector;
   a.diagonal().array() += 1e-9 * a.trace() + 1e-12;
-  const Vector6 x = -a.ldlt().solve (b);
+  const Vector6 x = -Eigen::LDLT<Matrix6> (a).solve (b);
   if (!x.allFinite())
     return false;
   // Left perturbation about the warped centre: q -> dR (q - o) + o + dt.

@@ -76,16 +76,15 @@ RigidPose::fromMatrix (const Eigen::Matrix3d& rotation,
 }
 
 RigidPose
-RigidPose::fromMatrix (const Eigen::Matrix<float, 4, 4>& b_from_a)
+RigidPose::fromNearestRotation (const Eigen::Matrix3d& m,
+                                const Eigen::Vector3d& translation)
 {
-  const Eigen::Matrix3d m = b_from_a.topLeftCorner<3, 3>().cast<double>();
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd (
       m, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Matrix3d u = svd.matrixU();
   if ((u * svd.matrixV().transpose()).determinant() < 0.0)
     u.col (2) = -u.col (2);
-  return fromMatrix (Eigen::Matrix3d (u * svd.matrixV().transpose()),
-                     b_from_a.topRightCorner<3, 1>().cast<double>());
+  return fromMatrix (Eigen::Matrix3d (u * svd.matrixV().transpose()), translation);
 }
 
 Eigen::Matrix3d
@@ -113,15 +112,6 @@ RigidPose::inverse() const
 {
   const Eigen::Matrix3d r = rotation().transpose();
   return fromMatrix (r, Eigen::Vector3d (-(r * translation())));
-}
-
-Eigen::Matrix4f
-RigidPose::matrix() const
-{
-  Eigen::Matrix4f m = Eigen::Matrix4f::Identity();
-  m.topLeftCorner<3, 3>() = rotation().cast<float>();
-  m.topRightCorner<3, 1>() = translation().cast<float>();
-  return m;
 }
 
 double

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/segment_graph.h"
 
-#include <pcl/search/kdtree.h>
-#include <pcl/point_types.h>
+#include <flann/algorithms/dist.h>
+#include <flann/algorithms/kdtree_single_index.h>
 
 #include <algorithm>
 #include <utility>
@@ -16,21 +16,30 @@ linkNearestCentroids (const std::vector<Eigen::Vector3d>& centroids, int neighbo
   const int n = static_cast<int> (centroids.size());
   if (n < 2 || neighbors < 1)
     return {};
-  pcl::PointCloud<pcl::PointXYZ>::Ptr cloud (new pcl::PointCloud<pcl::PointXYZ>);
+  std::vector<float> coordinates;
   for (const auto& c : centroids)
-    cloud->push_back ({static_cast<float> (c.x()),
-                       static_cast<float> (c.y()),
-                       static_cast<float> (c.z())});
-  pcl::search::KdTree<pcl::PointXYZ> tree;
-  tree.setInputCloud (cloud);
+    for (const double value : {c.x(), c.y(), c.z()})
+      coordinates.push_back (static_cast<float> (value));
+  // FLANN itself: a pcl::PointCloud's memory comes from Eigen's allocator, and which
+  // one that is depends on the flags of whoever compiles it, see build_compatibility.h.
+  flann::KDTreeSingleIndex<flann::L2_Simple<float>> tree (
+      flann::Matrix<float> (coordinates.data(), n, 3),
+      flann::KDTreeSingleIndexParams (15));
+  tree.buildIndex();
+  const auto wanted = static_cast<std::size_t> (std::min (neighbors + 1, n));
+  std::vector<std::size_t> found (wanted);
+  std::vector<float> distances (wanted);
   std::vector<std::pair<int, int>> pairs;
-  pcl::Indices found;
-  std::vector<float> distances;
   for (int k = 0; k < n; ++k) {
-    tree.nearestKSearch (k, std::min (neighbors + 1, n), found, distances);
-    for (const int other : found)
+    flann::KNNSimpleResultSet<float> nearest (wanted);
+    tree.findNeighbors (
+        nearest, &coordinates[3 * std::size_t (k)], flann::SearchParams (-1));
+    nearest.copy (found.data(), distances.data(), wanted);
+    for (const std::size_t index : found) {
+      const int other = static_cast<int> (index);
       if (other != k)
         pairs.emplace_back (std::min (k, other), std::max (k, other));
+    }
   }
   std::sort (pairs.begin(), pairs.end());
   pairs.erase (std::unique (pairs.begin(), pairs.end()), pairs.end());

@@ -45,7 +45,7 @@ chainMotions (const std::vector<RigidPose>& motions)
   return poses;
 }
 
-double
+[[gnu::flatten]] double // see fit in pose_errors.cpp
 absoluteTrajectoryError (const std::vector<RigidPose>& estimate,
                          const std::vector<RigidPose>& truth)
 {

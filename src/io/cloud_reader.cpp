@@ -1,58 +1,71 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <opencv2/imgproc.hpp>
+
 #include "io/cloud_colors.h"
 #include "io/cloud_fields.h"
 #include "io/pcd_blob.h"
-#include "io/sensor_pose.h"
 #include <pcl_msf/cloud_conversions.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/cloud_files.h>
 
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace pcl_msf::io {
 
 namespace {
 
-using Cloud = pcl::PointCloud<pcl::PointXYZRGBA>;
+const cv::Vec3f kNoPoint = cv::Vec3f::all (std::numeric_limits<float>::quiet_NaN());
 
-/** Positions alone. */
-Cloud::Ptr
-pointsOf (const pcl::PCLPointCloud2& blob, const CloudFields& fields)
+/** Coordinates as they are in the file, CV_32FC3. */
+cv::Mat
+coordinatesOf (const pcl::PCLPointCloud2& blob, const CloudFields& fields)
 {
-  Cloud::Ptr cloud (new Cloud (blob.width, blob.height));
-  cloud->is_dense = false;
-  for (std::size_t i = 0; i < cloud->size(); ++i) {
-    pcl::PointXYZRGBA& point = (*cloud)[i];
-    fields.position (blob.data.data() + i * blob.point_step, point.x, point.y, point.z);
-    point.rgba = 0;
-  }
-  return cloud;
+  cv::Mat points (
+      static_cast<int> (blob.height), static_cast<int> (blob.width), CV_32FC3);
+  const unsigned char* bytes = blob.data.data();
+  for (int v = 0; v < points.rows; ++v)
+    for (int u = 0; u < points.cols; ++u, bytes += blob.point_step) {
+      auto& point = points.at<cv::Vec3f> (v, u);
+      fields.position (bytes, point[0], point[1], point[2]);
+    }
+  return points;
+}
+
+/** NaN where a coordinate is not a number or, when `ahead`, z is not positive. */
+cv::Mat
+finitePoints (const cv::Mat& points, bool ahead)
+{
+  cv::Mat result = points.clone();
+  for (int v = 0; v < points.rows; ++v)
+    for (int u = 0; u < points.cols; ++u) {
+      auto& p = result.at<cv::Vec3f> (v, u);
+      const bool finite =
+          std::isfinite (p[0]) && std::isfinite (p[1]) && std::isfinite (p[2]);
+      if (!finite || (ahead && !(p[2] > 0.0F)))
+        p = kNoPoint;
+    }
+  return result;
 }
 
 } // namespace
 
-Cloud::Ptr
-readOrganizedCloud (const std::string& path)
+detail::CloudPixels
+detail::readCloudPixels (const std::string& path)
 {
-  Viewpoint viewpoint;
-  const pcl::PCLPointCloud2 blob = readPcd (path, &viewpoint);
+  CloudPixels pixels;
+  const pcl::PCLPointCloud2 blob = readPcd (path, &pixels.viewpoint);
   const CloudFields fields (blob, path);
-  const Cloud::Ptr cloud = pointsOf (blob, fields);
-  setViewpoint (viewpoint, *cloud);
+  pixels.points = coordinatesOf (blob, fields);
   RgbdImages images;
   takeColors (blob, fields, images);
-  for (int row = 0; row < images.color.rows; ++row)
-    for (int col = 0; col < images.color.cols; ++col) {
-      pcl::PointXYZRGBA& point = (*cloud) (col, row);
-      const cv::Vec3b& bgr = images.color.at<cv::Vec3b> (row, col);
-      point.b = bgr[0];
-      point.g = bgr[1];
-      point.r = bgr[2];
-      point.a = 255;
-    }
-  return cloud;
+  if (images.color.empty())
+    pixels.bgra = cv::Mat (pixels.points.size(), CV_8UC4, cv::Scalar::all (0));
+  else
+    cv::cvtColor (images.color, pixels.bgra, cv::COLOR_BGR2BGRA);
+  return pixels;
 }
 
 RgbdImages
@@ -65,8 +78,7 @@ readCloudImages (const std::string& path,
   Viewpoint viewpoint;
   const pcl::PCLPointCloud2 blob = readPcd (path, &viewpoint);
   const CloudFields fields (blob, path);
-  const Cloud::Ptr cloud = pointsOf (blob, fields);
-  const cv::Mat points = coordinateImage (*cloud);
+  const cv::Mat points = finitePoints (coordinatesOf (blob, fields), false);
   RgbdImages images;
   std::string why;
   if (camera && !fitsCamera (points, *camera, &why))
@@ -75,7 +87,7 @@ readCloudImages (const std::string& path,
     images.camera = *camera;
   else if (!estimateCamera (points, images.camera, &why))
     throw IoError (path + ": camera: " + why);
-  images.depth = depthImage (pointImage (*cloud));
+  images.depth = depthImage (finitePoints (points, true));
   if (units_per_metre != 1.0)
     images.depth /= units_per_metre;
   images.viewpoint = viewpoint;

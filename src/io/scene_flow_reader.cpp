@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include <pcl/console/print.h>
-#include <pcl/conversions.h>
 #include <pcl/PCLPointCloud2.h>
 
 #include "io/cloud_colors.h"
@@ -12,8 +10,8 @@
 #include <pcl_msf/io/result_files.h>
 #include <pcl_msf/point_types.h>
 
-#include <algorithm>
-#include <array>
+#include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace pcl_msf::io {
@@ -22,76 +20,73 @@ namespace {
 
 constexpr std::uint32_t kMostSegments = 1U << 24U; ///< more is no label but damage
 
-void
-requireFields (const pcl::PCLPointCloud2& blob, const std::string& path)
+/** Where a scene_flow file's points hold what. */
+struct FlowFields {
+  FlowFields (const pcl::PCLPointCloud2& blob, const std::string& path);
+
+  std::uint32_t position[3], displacement[3], label, visible;
+};
+
+std::uint32_t
+offsetOf (const pcl::PCLPointCloud2& blob,
+          const std::string& name,
+          int type,
+          const std::string& path)
 {
-  using Field = pcl::PCLPointField;
-  const std::array<std::pair<const char*, int>, 8> wanted{{{"x", Field::FLOAT32},
-                                                           {"y", Field::FLOAT32},
-                                                           {"z", Field::FLOAT32},
-                                                           {"dx", Field::FLOAT32},
-                                                           {"dy", Field::FLOAT32},
-                                                           {"dz", Field::FLOAT32},
-                                                           {"label", Field::UINT32},
-                                                           {"visible", Field::UINT8}}};
-  for (const auto& [name, type] : wanted) {
-    const auto field =
-        std::find_if (blob.fields.begin(),
-                      blob.fields.end(),
-                      [name = name] (const Field& f) { return f.name == name; });
-    if (field == blob.fields.end() || field->datatype != type)
-      throw IoError (path + ": " + name +
-                     ": the field is missing or of another type; "
-                     "give a scene_flow .pcd");
-  }
-  if (blob.height < 2 || blob.width < 2)
-    throw IoError (path + ": WIDTH, HEIGHT: " + std::to_string (blob.width) + " x " +
-                   std::to_string (blob.height) +
-                   " is no image; give a scene_flow .pcd");
+  for (const pcl::PCLPointField& field : blob.fields)
+    if (field.name == name && field.datatype == type)
+      return field.offset;
+  throw IoError (path + ": " + name +
+                 ": the field is missing or of another type; give a scene_flow .pcd");
 }
 
-pcl::PointCloud<PointXYZRGBFlow>
-pointsOf (const pcl::PCLPointCloud2& blob)
+FlowFields::FlowFields (const pcl::PCLPointCloud2& blob, const std::string& path)
 {
-  pcl::PointCloud<PointXYZRGBFlow> cloud;
-  const pcl::console::VERBOSITY_LEVEL before = pcl::console::getVerbosityLevel();
-  pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS); // it warns about colours
-  pcl::fromPCLPointCloud2 (blob, cloud);
-  pcl::console::setVerbosityLevel (before);
-  return cloud;
+  const std::string axes[] = {"x", "y", "z"};
+  for (int i = 0; i < 3; ++i)
+    position[i] = offsetOf (blob, axes[i], pcl::PCLPointField::FLOAT32, path);
+  for (int i = 0; i < 3; ++i)
+    displacement[i] = offsetOf (blob, "d" + axes[i], pcl::PCLPointField::FLOAT32, path);
+  label = offsetOf (blob, "label", pcl::PCLPointField::UINT32, path);
+  visible = offsetOf (blob, "visible", pcl::PCLPointField::UINT8, path);
+}
+
+template <typename T>
+T
+valueAt (const unsigned char* bytes)
+{
+  T value;
+  std::memcpy (&value, bytes, sizeof (T));
+  return value;
+}
+
+cv::Vec3f
+vectorAt (const unsigned char* point, const std::uint32_t (&offsets)[3])
+{
+  return {valueAt<float> (point + offsets[0]),
+          valueAt<float> (point + offsets[1]),
+          valueAt<float> (point + offsets[2])};
+}
+
+/** Segment number, -1 = none. */
+int
+labelOf (std::uint32_t label, const std::string& path)
+{
+  if (label == PointXYZRGBFlow::kNoLabel)
+    return -1;
+  if (label >= kMostSegments)
+    throw IoError (
+        path + ": label: " + std::to_string (label) +
+        " is no segment's number; give a scene_flow .pcd of pcl_msf_scene_flow");
+  return static_cast<int> (label);
 }
 
 unsigned char
-visibilityOf (const PointXYZRGBFlow& point)
+visibilityOf (const cv::Vec3f& position, unsigned char visible)
 {
-  if (!(point.z > 0.0F))
+  if (!(position[2] > 0.0F))
     return Visibility::NoDepth;
-  return point.visible != 0 ? Visibility::Visible : Visibility::Unknown;
-}
-
-void
-takePoints (const pcl::PointCloud<PointXYZRGBFlow>& cloud,
-            const std::string& path,
-            StoredSceneFlow& stored)
-{
-  SceneFlow& flow = stored.scene_flow;
-  const cv::Size size (static_cast<int> (cloud.width), static_cast<int> (cloud.height));
-  flow.points = pointImage (cloud);
-  flow.labels.create (size, CV_32SC1);
-  flow.displacement.create (size, CV_32FC3);
-  flow.visibility.create (size, CV_8UC1);
-  for (int row = 0; row < size.height; ++row)
-    for (int col = 0; col < size.width; ++col) {
-      const PointXYZRGBFlow& point = cloud (col, row);
-      if (point.label != PointXYZRGBFlow::kNoLabel && point.label >= kMostSegments)
-        throw IoError (path + ": label: " + std::to_string (point.label) +
-                       " is no segment's number; give a scene_flow .pcd of "
-                       "pcl_msf_scene_flow");
-      const bool none = point.label == PointXYZRGBFlow::kNoLabel;
-      flow.labels.at<int> (row, col) = none ? -1 : static_cast<int> (point.label);
-      flow.displacement.at<cv::Vec3f> (row, col) = {point.dx, point.dy, point.dz};
-      flow.visibility.at<unsigned char> (row, col) = visibilityOf (point);
-    }
+  return visible != 0 ? Visibility::Visible : Visibility::Unknown;
 }
 
 /** Empty when the file was written without an image, all white. PCL's own conversion
@@ -103,6 +98,40 @@ colorOf (const pcl::PCLPointCloud2& blob, const std::string& path)
   takeColors (blob, CloudFields (blob, path), images);
   const bool known = cv::countNonZero (images.color.reshape (1) != 255) > 0;
   return known ? images.color : cv::Mat();
+}
+
+StoredSceneFlow
+readPoints (const std::string& path)
+{
+  StoredSceneFlow stored;
+  const pcl::PCLPointCloud2 blob = readPcd (path, &stored.viewpoint);
+  const FlowFields fields (blob, path);
+  if (blob.height < 2 || blob.width < 2)
+    throw IoError (path + ": WIDTH, HEIGHT: " + std::to_string (blob.width) + " x " +
+                   std::to_string (blob.height) +
+                   " is no image; give a scene_flow .pcd");
+  const cv::Size size (static_cast<int> (blob.width), static_cast<int> (blob.height));
+  stored.color = colorOf (blob, path);
+  SceneFlow& flow = stored.scene_flow;
+  flow.points.create (size, CV_32FC3);
+  flow.labels.create (size, CV_32SC1);
+  flow.displacement.create (size, CV_32FC3);
+  flow.visibility.create (size, CV_8UC1);
+  for (int i = 0; i < size.area(); ++i) {
+    const unsigned char* point = blob.data.data() + std::size_t (i) * blob.point_step;
+    const cv::Point at (i % size.width, i / size.width);
+    const cv::Vec3f position = vectorAt (point, fields.position);
+    const bool measured = std::isfinite (position[0]) && std::isfinite (position[1]) &&
+                          std::isfinite (position[2]) && position[2] > 0.0F;
+    flow.points.at<cv::Vec3f> (at) =
+        measured ? position : cv::Vec3f::all (std::numeric_limits<float>::quiet_NaN());
+    flow.displacement.at<cv::Vec3f> (at) = vectorAt (point, fields.displacement);
+    flow.labels.at<int> (at) =
+        labelOf (valueAt<std::uint32_t> (point + fields.label), path);
+    flow.visibility.at<unsigned char> (at) =
+        visibilityOf (position, point[fields.visible]);
+  }
+  return stored;
 }
 
 void
@@ -146,11 +175,7 @@ countSegments (SceneFlow& flow)
 StoredSceneFlow
 readSceneFlowCloud (const std::string& path)
 {
-  StoredSceneFlow stored;
-  const pcl::PCLPointCloud2 blob = readPcd (path, &stored.viewpoint);
-  requireFields (blob, path);
-  takePoints (pointsOf (blob), path, stored);
-  stored.color = colorOf (blob, path);
+  StoredSceneFlow stored = readPoints (path);
   SceneFlow& flow = stored.scene_flow;
   std::string why;
   if (!estimateCamera (flow.points, flow.camera, &why))

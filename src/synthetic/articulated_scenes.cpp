@@ -43,7 +43,7 @@ addFinger (SceneModel& scene,
            Chance& chance,
            Skeleton& skeleton,
            std::vector<double>& lengths,
-           const Eigen::Isometry3d& palm_from_root,
+           const Isometry& palm_from_root,
            const std::string& name,
            double length)
 {

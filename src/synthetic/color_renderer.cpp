@@ -53,7 +53,7 @@ ColorRenderer::ColorRenderer (const SceneModel& scene, unsigned seed, int supers
 : scene_ (scene), noise_ (seed), supersampling_ (supersampling)
 {
   for (const Part& part : scene.parts) {
-    const Eigen::Isometry3d world_from_part =
+    const Isometry world_from_part =
         scene.bodies[part.body].world_from_body (0.0) * part.body_from_part;
     lights_.push_back (world_from_part.linear().transpose() * scene.light.normalized());
   }

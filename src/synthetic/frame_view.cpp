@@ -24,7 +24,7 @@ FrameView::FrameView (const SceneModel& scene,
   columns_ = static_cast<int> (size.width / tile) + 2;
   rows_ = static_cast<int> (size.height / tile) + 2;
   tiles_.resize (static_cast<std::size_t> (columns_) * rows_);
-  const Eigen::Isometry3d camera_from_world = world_from_camera_.inverse();
+  const Isometry camera_from_world = world_from_camera_.inverse();
   const auto index = [] (double x, int count) {
     const double i = std::floor (x / tile + 0.5);
     return static_cast<int> (std::clamp (i, -1.0, static_cast<double> (count)));

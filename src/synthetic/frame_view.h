@@ -38,7 +38,7 @@ public:
   {
     return *parts_[index];
   }
-  const Eigen::Isometry3d&
+  const Isometry&
   worldFromCamera () const
   {
     return world_from_camera_;
@@ -57,7 +57,7 @@ public:
 private:
   PinholeCamera camera_;
   cv::Size size_;
-  Eigen::Isometry3d world_from_camera_;
+  Isometry world_from_camera_;
   std::vector<std::unique_ptr<PartView>> parts_;
   int columns_{0}, rows_{0};
   std::vector<std::vector<int>> tiles_; ///< parts that may cover an image square

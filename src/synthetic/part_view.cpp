@@ -30,7 +30,7 @@ tangentRange (double x, double z, double radius, double f, double c)
 class RigidView : public PartView {
 public:
   RigidView (const Shape& shape,
-             const Eigen::Isometry3d& camera_from_part,
+             const Isometry& camera_from_part,
              const PinholeCamera& camera)
   : shape_ (shape)
   , rotation_ (camera_from_part.linear())
@@ -100,11 +100,11 @@ sphereBounds (const Eigen::Vector3d& center, double radius, const PinholeCamera&
 std::unique_ptr<PartView>
 makePartView (const Part& part,
               const Motion& world_from_body,
-              const Eigen::Isometry3d& camera_from_world,
+              const Isometry& camera_from_world,
               const PinholeCamera& camera,
               double phase)
 {
-  const Eigen::Isometry3d camera_from_part =
+  const Isometry camera_from_part =
       camera_from_world * world_from_body (phase) * part.body_from_part;
   if (part.soft)
     return makeSoftView (*part.soft, camera_from_part, camera, phase);

@@ -58,14 +58,14 @@ public:
 std::unique_ptr<PartView>
 makePartView (const Part& part,
               const Motion& world_from_body,
-              const Eigen::Isometry3d& camera_from_world,
+              const Isometry& camera_from_world,
               const PinholeCamera& camera,
               double phase);
 
 /** \brief The view of a soft surface. \param camera_from_part at the phase */
 std::unique_ptr<PartView>
 makeSoftView (const SoftSurface& surface,
-              const Eigen::Isometry3d& camera_from_part,
+              const Isometry& camera_from_part,
               const PinholeCamera& camera,
               double phase);
 

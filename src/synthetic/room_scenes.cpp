@@ -78,11 +78,10 @@ buildMultiBody (Chance& chance, bool plain)
   const int first_kind = chance.below (5);
   for (int i = 0; i < 5; ++i) {
     const double column = i < 3 ? -0.75 + 0.75 * i : -0.4 + 0.8 * (i - 3);
-    const Eigen::Isometry3d rest =
-        placed (column + chance.uniform (-0.08, 0.08),
-                (i < 3 ? -0.28 : 0.38) + chance.uniform (-0.06, 0.06),
-                chance.uniform (1.7, 2.2),
-                40.0 * chance.direction());
+    const Isometry rest = placed (column + chance.uniform (-0.08, 0.08),
+                                  (i < 3 ? -0.28 : 0.38) + chance.uniform (-0.06, 0.06),
+                                  chance.uniform (1.7, 2.2),
+                                  40.0 * chance.direction());
     const Motion motion = swing (rest,
                                  0.014 * chance.direction(),
                                  0.03 * chance.direction(),

@@ -14,7 +14,7 @@ SceneModel::addBody (const std::string& name, const Motion& world_from_body, boo
 
 Part&
 SceneModel::addPart (int body,
-                     const Eigen::Isometry3d& body_from_part,
+                     const Isometry& body_from_part,
                      const ShapePtr& shape,
                      const Texture& texture)
 {

@@ -2,9 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include <Eigen/Geometry>
-
 #include <pcl_msf/synthetic/sequence_options.h>
+#include <synthetic/isometry.h>
 #include <synthetic/shape.h>
 #include <synthetic/soft_surface.h>
 #include <synthetic/texture.h>
@@ -17,7 +16,7 @@ namespace pcl_msf {
 namespace synthetic {
 
 /** \brief A pose as a function of the scene's phase; phase 0 = frame 0. */
-using Motion = std::function<Eigen::Isometry3d (double phase)>;
+using Motion = std::function<Isometry (double phase)>;
 
 /** \brief Something that has one label and one motion. */
 struct Body {
@@ -29,7 +28,7 @@ struct Body {
 /** \brief A piece of a body's surface: a rigid shape, or a soft surface. */
 struct Part {
   int body{0};
-  Eigen::Isometry3d body_from_part{Eigen::Isometry3d::Identity()};
+  Isometry body_from_part{Isometry::Identity()};
   ShapePtr shape;
   SoftSurfacePtr soft; ///< when this is set, shape is not
   Texture texture;
@@ -50,7 +49,7 @@ struct SceneModel {
 
   Part&
   addPart (int body,
-           const Eigen::Isometry3d& body_from_part,
+           const Isometry& body_from_part,
            const ShapePtr& shape,
            const Texture& texture);
 };

@@ -30,10 +30,10 @@ const Eigen::Vector3f palette[] = {{60, 70, 190},
 
 } // namespace
 
-Eigen::Isometry3d
+Isometry
 placed (double x, double y, double z, const Eigen::Vector3d& turn_degrees)
 {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  Isometry pose = Isometry::Identity();
   pose.linear() = turned (turn_degrees * M_PI / 180.0);
   pose.translation() = Eigen::Vector3d (x, y, z);
   return pose;
@@ -47,14 +47,14 @@ swingAt (double phase, double start)
 }
 
 Motion
-swing (const Eigen::Isometry3d& at_rest,
+swing (const Isometry& at_rest,
        const Eigen::Vector3d& speed,
        const Eigen::Vector3d& turn,
        double start)
 {
   return [=] (double phase) {
     const double way = swingAt (phase, start);
-    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    Isometry pose = Isometry::Identity();
     pose.linear() = turned (way * turn) * at_rest.linear();
     pose.translation() = at_rest.translation() + way * speed;
     return pose;
@@ -64,7 +64,7 @@ swing (const Eigen::Isometry3d& at_rest,
 Motion
 atRest ()
 {
-  return [] (double) { return Eigen::Isometry3d::Identity(); };
+  return [] (double) { return Isometry::Identity(); };
 }
 
 Motion
@@ -80,7 +80,7 @@ handHeld (Chance& chance, double strength)
                                Eigen::Vector3d (chance.uniform (-0.6, 0.6),
                                                 side * chance.uniform (0.3, 1.0),
                                                 chance.uniform (-0.8, 0.8));
-  return swing (Eigen::Isometry3d::Identity(), speed, turn, chance.uniform (-0.5, 0.5));
+  return swing (Isometry::Identity(), speed, turn, chance.uniform (-0.5, 0.5));
 }
 
 Texture

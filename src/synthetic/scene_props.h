@@ -9,7 +9,7 @@ namespace pcl_msf {
 namespace synthetic {
 
 /** \brief Translation, then a turn by rotation-vector degrees. */
-Eigen::Isometry3d
+Isometry
 placed (double x,
         double y,
         double z,
@@ -21,7 +21,7 @@ placed (double x,
  * through the body's origin \param start where in the swing phase 0 is, radians, (-1,
  * 1) */
 Motion
-swing (const Eigen::Isometry3d& at_rest,
+swing (const Isometry& at_rest,
        const Eigen::Vector3d& speed,
        const Eigen::Vector3d& turn,
        double start);

@@ -80,7 +80,7 @@ writeCase (const SyntheticSequence& sequence,
 {
   const bool as_float = options.depth_format == DepthFormat::Float ||
                         (options.depth_format == DepthFormat::Automatic &&
-                         sequence.options.sensor == Sensor::None);
+                         sequence.options.sensor == Sensor::Ideal);
   for (std::size_t k = 0; k < sequence.frames.size(); ++k) {
     const SyntheticFrame& frame = sequence.frames[k];
     const std::string number = std::to_string (k);

@@ -13,15 +13,15 @@ Skeleton::add (const Joint& joint)
   return static_cast<int> (joints_.size()) - 1;
 }
 
-Eigen::Isometry3d
+Isometry
 Skeleton::worldFromLink (int link, double phase) const
 {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  Isometry pose = Isometry::Identity();
   for (int i = link; i >= 0; i = joints_[i].parent) {
     const Joint& joint = joints_[i];
     const Eigen::Vector3d vector = swingAt (phase, joint.start) * joint.turn;
     const double angle = vector.norm();
-    Eigen::Isometry3d parent_from_link = joint.parent_from_joint;
+    Isometry parent_from_link = joint.parent_from_joint;
     if (angle > 0.0)
       parent_from_link.rotate (Eigen::AngleAxisd (angle, vector / angle));
     pose = parent_from_link * pose;

@@ -13,8 +13,8 @@ namespace synthetic {
 /** \brief A joint and the link behind it. The link's frame is the joint's, turned. */
 struct Joint {
   int parent{-1}; ///< index of the link before, -1 = the world
-  Eigen::Isometry3d parent_from_joint{Eigen::Isometry3d::Identity()}; ///< at rest
-  Eigen::Vector3d turn{Eigen::Vector3d::Zero()}; ///< radians per phase, joint's axes
+  Isometry parent_from_joint{Isometry::Identity()}; ///< at rest
+  Eigen::Vector3d turn{Eigen::Vector3d::Zero()};    ///< radians per phase, joint's axes
   double start{0.0}; ///< place in the swing at phase 0, radians
 };
 
@@ -25,7 +25,7 @@ public:
   int
   add (const Joint& joint);
 
-  Eigen::Isometry3d
+  Isometry
   worldFromLink (int link, double phase) const;
 
 private:

@@ -38,7 +38,7 @@ tangentsOf (const SoftForm& form, double u, double v)
 class SoftView : public PartView {
 public:
   SoftView (const SoftSurface& surface,
-            const Eigen::Isometry3d& camera_from_part,
+            const Isometry& camera_from_part,
             const PinholeCamera& camera,
             double phase)
   : half_ (surface.halfSize())
@@ -174,7 +174,7 @@ SoftView::cast (const Eigen::Vector3d& direction, double limit, ViewHit& hit) co
 
 std::unique_ptr<PartView>
 makeSoftView (const SoftSurface& surface,
-              const Eigen::Isometry3d& camera_from_part,
+              const Isometry& camera_from_part,
               const PinholeCamera& camera,
               double phase)
 {

@@ -102,7 +102,7 @@ buildStreet (Chance& chance)
                                  chance.uniform (-0.3, 0.3));
     addCar (scene, chance, scene.addBody ("car_" + std::to_string (i + 1), motion));
   }
-  scene.world_from_camera = swing (Eigen::Isometry3d::Identity(),
+  scene.world_from_camera = swing (Isometry::Identity(),
                                    {chance.uniform (-0.02, 0.02), 0.002, 0.16},
                                    0.0015 * chance.direction(),
                                    chance.uniform (-0.2, 0.2));

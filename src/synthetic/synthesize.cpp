@@ -137,9 +137,9 @@ void
 Studio::addPoses (int frame, SyntheticSequence& sequence) const
 {
   const double phase = rate_ * frame;
-  const Eigen::Isometry3d world_from_frame = scene_.world_from_camera (phase);
-  const Eigen::Isometry3d world_from_frame0 = scene_.world_from_camera (0.0);
-  const auto pose = [] (const Eigen::Isometry3d& t) {
+  const Isometry world_from_frame = scene_.world_from_camera (phase);
+  const Isometry world_from_frame0 = scene_.world_from_camera (0.0);
+  const auto pose = [] (const Isometry& t) {
     return RigidPose::fromMatrix (Eigen::Matrix3d (t.linear()), t.translation());
   };
   sequence.frame0_from_framek.push_back (

@@ -9,7 +9,7 @@ namespace pcl_msf {
 namespace synthetic {
 namespace {
 
-void
+[[gnu::flatten]] void // so that none of Eigen's functions for aligned types is left
 addRod (SceneModel& scene,
         Chance& chance,
         int body,
@@ -17,7 +17,7 @@ addRod (SceneModel& scene,
         const Eigen::Vector3d& to,
         double radius)
 {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  Isometry pose = Isometry::Identity();
   const Eigen::Vector3d axis = to - from;
   pose.linear() = Eigen::Quaterniond::FromTwoVectors (Eigen::Vector3d::UnitZ(), axis)
                       .toRotationMatrix();
@@ -74,9 +74,9 @@ buildThinStructures (Chance& chance)
             {-1.5, -0.75 + 0.1 * i, 1.9},
             {1.5, -0.65 + 0.05 * i, 1.9},
             0.006);
-  const Eigen::Isometry3d rests[] = {placed (-0.6, -0.1, 1.6, {20, 30, 5}),
-                                     placed (0.05, 0.0, 1.7, {5, 25, 12}),
-                                     placed (0.65, -0.1, 1.6, {10, -25, -15})};
+  const Isometry rests[] = {placed (-0.6, -0.1, 1.6, {20, 30, 5}),
+                            placed (0.05, 0.0, 1.7, {5, 25, 12}),
+                            placed (0.65, -0.1, 1.6, {10, -25, -15})};
   for (int i = 0; i < 3; ++i) {
     const int body = scene.addBody ("thin_" + std::to_string (i + 1),
                                     swing (rests[i],

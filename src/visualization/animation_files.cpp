@@ -175,8 +175,9 @@ writeGif (const std::string& path,
   io::writeThenRename (path, [&] (const std::string& temporary) {
     if (!byFfmpeg (temporary, pictures, rate, how, cancelled) &&
         !byImageMagick (temporary, pictures, rate, cancelled))
-      throw IoError (path + ": no program here can write a GIF: sudo apt-get install "
-                            "ffmpeg (or imagemagick); the pictures are there");
+      throw IoError (path +
+                     ": no program here can write a GIF: install FFmpeg (Debian: "
+                     "ffmpeg) or ImageMagick (imagemagick); the pictures are there");
   });
 }
 
@@ -200,8 +201,8 @@ writeMp4 (const std::string& path,
   io::writeThenRename (path, [&] (const std::string& temporary) {
     if (!byFfmpeg (temporary, pictures, rate, how, cancelled) &&
         !byOpenCv (temporary, pictures, rate, cancelled))
-      throw IoError (path + ": nothing here can write an MP4: sudo apt-get install "
-                            "ffmpeg; the pictures are there");
+      throw IoError (path + ": nothing here can write an MP4: install FFmpeg (Debian: "
+                            "ffmpeg); the pictures are there");
   });
 }
 

@@ -21,7 +21,7 @@ displayProblem (std::shared_ptr<void>* connection)
   const std::shared_ptr<Display> display (opened, XCloseDisplay);
   int event = 0;
   int error = 0;
-  const char* const mesa = "; sudo apt-get install libgl1-mesa-dri";
+  const char* const mesa = "; install Mesa's drivers (Debian: libgl1-mesa-dri)";
   if (glXQueryExtension (display.get(), &error, &event) == 0)
     return std::string ("the display ") + name + " has no OpenGL" + mesa;
   const int wanted[] = {GLX_RENDER_TYPE, GLX_RGBA_BIT, GLX_DEPTH_SIZE, 16, 0};

@@ -96,8 +96,8 @@ public:
   {
     const std::string program = findProgram ("Xvfb");
     if (program.empty())
-      throw DisplayError (problem + ", and no Xvfb to start one: sudo apt-get install "
-                                    "xvfb");
+      throw DisplayError (problem +
+                          ", and no Xvfb to start one: install it (Debian: xvfb)");
     Pipe pipe;
     child_ = std::make_unique<ChildProcess> (
         std::vector<std::string>{program,

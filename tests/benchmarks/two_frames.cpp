@@ -36,7 +36,7 @@ SceneFlow
 estimateOnce (const io::RgbdImages& reference, const io::RgbdImages& current)
 {
   FrameParameters target;
-  target.normals = NormalMethod::None;
+  target.normals = NormalMethod::Skip;
   auto later = std::async (std::launch::async, [&] {
     return RgbdFrame::fromImages (current.color, current.depth, current.camera, target);
   });

@@ -8,6 +8,13 @@ if (failed)
   message (FATAL_ERROR "cmake --install failed")
 endif ()
 
+foreach (name IN ITEMS README.md CHANGELOG.md LICENSE config.h)
+  file (GLOB_RECURSE found "${PREFIX}/*/${name}")
+  if (NOT found)
+    message (FATAL_ERROR "${name} is not installed")
+  endif ()
+endforeach ()
+
 file (GLOB_RECURSE exported "${PREFIX}/*_targets*.cmake" "${PREFIX}/*.pc")
 list (FILTER exported EXCLUDE REGEX "pcl_msf_visualization_targets") # the one that has VTK
 if (NOT exported)

@@ -124,8 +124,8 @@ LazyKdTree<PointT>::nearestKSearch (const PointT& point,
 {
   if (k > 0 && hasDepth (point) && build())
     return Base::nearestKSearch (point, k, k_indices, k_sqr_distances);
-  k_indices.assign (std::max (k, 0), -1);
-  k_sqr_distances.assign (std::max (k, 0), std::numeric_limits<float>::infinity());
+  k_indices.assign ((std::max) (k, 0), -1);
+  k_sqr_distances.assign ((std::max) (k, 0), std::numeric_limits<float>::infinity());
   return 0;
 }
 

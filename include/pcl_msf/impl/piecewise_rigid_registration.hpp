@@ -175,7 +175,7 @@ PiecewiseRigidRegistration<PointT>::minimizeEnergy (
 {
   SolverParameters solver = getSolverParameters();
   if (solver.max_seconds > 0.0) // what is left of align's budget; 0 would be no limit
-    solver.max_seconds = std::max (1e-6, solver.max_seconds - seconds_gone);
+    solver.max_seconds = (std::max) (1e-6, solver.max_seconds - seconds_gone);
   detail::GuardedProgress progress (solver.progress);
   solver.progress = progress.function();
   shown_ = detail::lastTarget (static_cast<int> (frames.size()), reference_);

@@ -38,11 +38,11 @@ template <typename PointT>
 typename PiecewiseRigidRegistration<PointT>::Matrix4
 PiecewiseRigidRegistration<PointT>::getPose (int from, int to, int segment) const
 {
-  Matrix4 pose = Matrix4::Identity();
+  RigidPose pose;
   const std::string why = detail::findPose (result_, from, to, segment, pose);
   if (!why.empty())
     printError ("getPose", why);
-  return pose;
+  return pose.matrix();
 }
 
 template <typename PointT>
@@ -56,7 +56,7 @@ PiecewiseRigidRegistration<PointT>::getFitnessScore (double max_range)
       sum += pair.distance;
       ++n;
     }
-  return n > 0 ? sum / static_cast<double> (n) : std::numeric_limits<double>::max();
+  return n > 0 ? sum / static_cast<double> (n) : (std::numeric_limits<double>::max)();
 }
 
 template <typename PointT>

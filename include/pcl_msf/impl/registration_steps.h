@@ -53,9 +53,12 @@ segmentsHolding (const pcl::Indices& points,
                  const Oversegmentation& segments,
                  const RgbdFrame& frame);
 
+/** A 4x4 matrix that code compiled with any vector instructions may hand over. */
+using UnalignedMatrix4 = Eigen::Matrix<float, 4, 4, Eigen::DontAlign>;
+
 /** The guess as a pose. \throws InvalidInput when it is not a rigid transformation */
 RigidPose
-startPose (const Eigen::Matrix<float, 4, 4>& guess);
+startPose (const UnalignedMatrix4& guess);
 
 /** Why a result cannot be used; empty when it can. */
 std::string
@@ -76,11 +79,8 @@ lastTarget (int frames, int reference);
 /** The pose between two frames, as in poseBetween, into `pose`.
  * \return why there is none; empty when there is one */
 std::string
-findPose (const MultiframeSceneFlow& result,
-          int from,
-          int to,
-          int segment,
-          Eigen::Matrix<float, 4, 4>& pose);
+findPose (
+    const MultiframeSceneFlow& result, int from, int to, int segment, RigidPose& pose);
 
 /** Passes progress on; an exception of the callback cancels and is kept for rethrow,
  * because it must not fly through the solver. */

@@ -5,12 +5,28 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include <opencv2/core.hpp>
+
+#include <pcl_msf/build_compatibility.h>
 #include <pcl_msf/io/rgbd_images.h>
 
 #include <optional>
 #include <string>
 
 namespace pcl_msf::io {
+
+namespace detail {
+/** A cloud as images: memory that, unlike a pcl::PointCloud's, is the same for code
+ * compiled with any flags. */
+struct CloudPixels {
+  cv::Mat points; ///< CV_32FC3, x y z as in the file
+  cv::Mat bgra;   ///< CV_8UC4, as in PointXYZRGBA
+  Viewpoint viewpoint{};
+};
+
+CloudPixels
+readCloudPixels (const std::string& path);
+} // namespace detail
 
 /** \brief Reads an organized cloud from a .pcd file (ascii, binary or compressed).
  *
@@ -20,8 +36,30 @@ namespace pcl_msf::io {
  * range by normalizeIntensity, from the values of this cloud. Other fields are ignored.
  * With colour every point's alpha is 255, without any it is 0.
  * \throws IoError for anything else, unorganized clouds included */
-pcl::PointCloud<pcl::PointXYZRGBA>::Ptr
-readOrganizedCloud (const std::string& path);
+inline pcl::PointCloud<pcl::PointXYZRGBA>::Ptr
+readOrganizedCloud (const std::string& path)
+{
+  const detail::CloudPixels pixels = detail::readCloudPixels (path);
+  const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGBA>> (
+      pixels.points.cols, pixels.points.rows);
+  cloud->is_dense = false;
+  const auto& t = pixels.viewpoint.origin;
+  const auto& q = pixels.viewpoint.orientation;
+  cloud->sensor_origin_ = Eigen::Vector4f (t[0], t[1], t[2], 0.0F);
+  cloud->sensor_orientation_ = Eigen::Quaternionf (q[0], q[1], q[2], q[3]);
+  for (int v = 0; v < pixels.points.rows; ++v)
+    for (int u = 0; u < pixels.points.cols; ++u) {
+      const auto& position = pixels.points.at<cv::Vec3f> (v, u);
+      const auto& color = pixels.bgra.at<cv::Vec4b> (v, u);
+      auto& point = (*cloud) (u, v);
+      point.getVector3fMap() = Eigen::Vector3f (position[0], position[1], position[2]);
+      point.b = color[0];
+      point.g = color[1];
+      point.r = color[2];
+      point.a = color[3];
+    }
+  return cloud;
+}
 
 /** \brief Reads an organized cloud as images, see readOrganizedCloud; `note` says when
  * there is no colour.

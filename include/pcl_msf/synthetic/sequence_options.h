@@ -37,7 +37,7 @@ enum class MotionSize {
  * beyond 43.5 m. Colour gets a vignette (corners 12 % darker), an exposure that differs
  * by up to 3 % from frame to frame, Gaussian noise of 2.5 / 255. */
 enum class Sensor {
-  None,  ///< exact depth, clean colour
+  Ideal, ///< exact depth, clean colour
   Kinect ///< structured light
 };
 
@@ -59,7 +59,7 @@ sceneFromName (const std::string& name);
 struct SequenceOptions {
   Scene scene{Scene::MultiBody};
   MotionSize motion{MotionSize::Easy};
-  Sensor sensor{Sensor::None};
+  Sensor sensor{Sensor::Ideal};
   int width{640};          ///< pixels, [16, 4096]
   int height{480};         ///< pixels, [16, 4096]
   int frames{2};           ///< [1, 1000]

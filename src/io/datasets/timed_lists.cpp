@@ -40,8 +40,9 @@ quaternionOf (const TextTable& table, std::size_t row)
   return q.normalized();
 }
 
-/** The rigid motion a part of the way from one pose to another. */
-RigidPose
+/** The rigid motion a part of the way from one pose to another. Flat as numericalRank
+ * in dense_result.cpp: no copy of a function for aligned quaternions is left. */
+[[gnu::flatten]] RigidPose
 between (const RigidPose& from, const RigidPose& to, double part)
 {
   const Eigen::Quaterniond q0 (from.rotation()), q1 (to.rotation());

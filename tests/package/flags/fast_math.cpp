@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <pcl_msf/piecewise_rigid_registration.h>
