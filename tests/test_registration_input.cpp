@@ -233,52 +233,6 @@ TEST (Registration, AlignWithoutAnyInputFailsVisibly)
   EXPECT_TRUE (registration.getInputSource()->empty());
 }
 
-TEST (Registration, TellsWhatTheDepthLimitsDrop)
-{
-  const auto printed = [] (float scale, double max_depth) {
-    Registration registration;
-    const auto grow = [scale] (Point& p) { p.getVector3fMap() *= scale; };
-    registration.setInputSource (changed (RigidPair::reference(), grow));
-    registration.setInputTarget (changed (RigidPair::current(), grow));
-    FrameParameters frame;
-    frame.max_depth = max_depth;
-    registration.setFrameParameters (frame);
-    Cloud output;
-    testing::internal::CaptureStderr();
-    testing::internal::CaptureStdout();
-    registration.align (output);
-    return testing::internal::GetCapturedStdout() +
-           testing::internal::GetCapturedStderr();
-  };
-  EXPECT_EQ (printed (1.0f, 1000.0), "");
-  EXPECT_EQ (printed (1.0f, 2.4), ""); // a user's choice
-  EXPECT_THAT (printed (450.0f, 1000.0), HasSubstr ("source: "));
-  EXPECT_THAT (printed (450.0f, 1000.0), HasSubstr ("millimetres?"));
-}
-
-TEST (Registration, TheLeastSizesAreRegistered)
-{
-  const Cloud::Ptr reference = RigidPair::reference();
-  const Cloud::Ptr current = RigidPair::current();
-  const auto crop = [] (const Cloud& cloud, cv::Size size) {
-    auto part = pcl::make_shared<Cloud> (size.width, size.height);
-    for (int v = 0; v < size.height; ++v)
-      for (int u = 0; u < size.width; ++u)
-        (*part) (u, v) =
-            cloud (u + (160 - size.width) / 2, v + (120 - size.height) / 2);
-    return part;
-  };
-  for (const cv::Size size : {cv::Size (12, 12), {12, 120}, {160, 13}, {47, 15}}) {
-    Registration registration;
-    registration.setInputSource (crop (*reference, size));
-    registration.setInputTarget (crop (*current, size));
-    Cloud output;
-    registration.align (output);
-    EXPECT_FALSE (registration.getSceneFlow().displacement.empty())
-        << size << registration.getReport().message;
-  }
-}
-
 TEST (Registration, RecoversAfterBadInput)
 {
   Registration registration;
