@@ -19,6 +19,7 @@ constexpr int kMaxBodies = 6;
 constexpr int kVoters = 4;             // samples per segment in the search for bodies
 constexpr double kVoteLimit = 3.0;     // pixels
 constexpr double kSmallestBody = 0.02; // share of all voters
+constexpr int kLeastFlowSide = 16;     // pixels: two patches
 
 /** Samples of all segments; those of segment k are [begin[k], begin[k + 1]). */
 struct SampleTable {
@@ -120,15 +121,33 @@ findBodies (const SampleTable& table,
   return bodies;
 }
 
+/** Flow between 8-bit images. Where a side is shorter than two of its patches, OpenCV
+ * chooses the pyramid by the width alone and reads outside the image: the border is
+ * repeated up to there. */
+cv::Mat
+matchImages (const cv::Mat& first, const cv::Mat& second)
+{
+  const int right = std::max (0, kLeastFlowSide - first.cols);
+  const int bottom = std::max (0, kLeastFlowSide - first.rows);
+  cv::Mat from = first;
+  cv::Mat to = second;
+  if (right > 0 || bottom > 0) {
+    cv::copyMakeBorder (first, from, 0, bottom, 0, right, cv::BORDER_REPLICATE);
+    cv::copyMakeBorder (second, to, 0, bottom, 0, right, cv::BORDER_REPLICATE);
+  }
+  cv::Mat flow;
+  const auto dis = cv::DISOpticalFlow::create (cv::DISOpticalFlow::PRESET_MEDIUM);
+  dis->calc (from, to, flow);
+  return flow.size() == first.size() ? flow
+                                     : flow (cv::Rect ({0, 0}, first.size())).clone();
+}
+
 } // namespace
 
 cv::Mat
 estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current)
 {
-  cv::Mat flow;
-  const auto dis = cv::DISOpticalFlow::create (cv::DISOpticalFlow::PRESET_MEDIUM);
-  dis->calc (reference.gray(), current.gray(), flow);
-  return flow;
+  return matchImages (reference.gray(), current.gray());
 }
 
 cv::Mat
@@ -146,9 +165,7 @@ estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current)
   cv::Mat gray_second;
   first.convertTo (gray_first, CV_8U, scale);
   second.convertTo (gray_second, CV_8U, scale);
-  cv::Mat flow;
-  const auto dis = cv::DISOpticalFlow::create (cv::DISOpticalFlow::PRESET_MEDIUM);
-  dis->calc (gray_first, gray_second, flow);
+  cv::Mat flow = matchImages (gray_first, gray_second);
   if (level > 0) {
     cv::resize (
         flow, flow, {reference.width(), reference.height()}, 0, 0, cv::INTER_LINEAR);
