@@ -69,8 +69,45 @@ TEST (CloudConversions, IntensitiesShareOneUnit)
   EXPECT_EQ (normalized (0.25f, 1.0f), std::make_pair (0.25f, 1.0f));
   EXPECT_EQ (normalized (0.0f, 255.0f), std::make_pair (0.0f, 1.0f));
   EXPECT_EQ (normalized (63.75f, 0.0f), std::make_pair (0.25f, 0.0f));
-  EXPECT_EQ (normalized (500.0f, 1000.0f), std::make_pair (0.5f, 1.0f));
+  EXPECT_EQ (normalized (500.0f, 1023.0f), std::make_pair (500.0f / 1023.0f, 1.0f));
+  EXPECT_EQ (normalized (70000.0f, 65535.0f).second, 65535.0f / 131071.0f);
+  EXPECT_EQ (normalized (0.5f, 1.5f), std::make_pair (0.25f, 0.75f));
   EXPECT_EQ (normalized (-3.0f, 1.0f), std::make_pair (0.0f, 1.0f));
+  EXPECT_EQ (normalized (NAN, INFINITY), std::make_pair (0.0f, 0.0f));
+}
+
+TEST (CloudConversions, HighlightsHaveNoSayInTheUnit)
+{
+  for (const double unit : {1.0, 255.0, 4095.0}) {
+    cv::Mat plain (30, 40, CV_32FC1, cv::Scalar (0.75 * unit));
+    plain.row (0).setTo (-1.0);
+    plain.row (1).setTo (NAN); // not measured
+    cv::Mat bright = plain.clone();
+    bright (cv::Rect (5, 5, 7, 7)).setTo (40.0 * unit);
+    EXPECT_EQ (intensityUnit ({&plain, &bright}), unit);
+    normalizeIntensity (plain, bright);
+    EXPECT_FLOAT_EQ (plain.at<float> (20, 20), 0.75f);
+    EXPECT_EQ (bright.at<float> (20, 20), plain.at<float> (20, 20));
+    EXPECT_EQ (bright.at<float> (6, 6), 1.0f);
+    EXPECT_EQ (bright.at<float> (0, 0), 0.0f);
+    EXPECT_EQ (bright.at<float> (1, 0), 0.0f);
+  }
+}
+
+TEST (CloudConversions, ImagesInTheUsualUnitsKeepTheirBits)
+{
+  cv::Mat first (30, 40, CV_32FC1);
+  cv::Mat second (30, 40, CV_32FC1);
+  for (const double top : {1.0, 255.0}) {
+    cv::randu (first, 0.0, 0.7 * top);
+    cv::randu (second, 0.0, top);
+    second.at<float> (3, 3) = static_cast<float> (top);
+    cv::Mat a = first.clone();
+    cv::Mat b = second.clone();
+    normalizeIntensity (a, b);
+    EXPECT_EQ (cv::countNonZero (a != cv::Mat (first / top)), 0);
+    EXPECT_EQ (cv::countNonZero (b != cv::Mat (second / top)), 0);
+  }
 }
 
 TEST (CloudConversions, LabelsAndNormals)

@@ -175,11 +175,12 @@ TEST_F (Room, RefusesBadInputAndSaysWhy)
     SceneFlowEstimator().estimate (a, b, s, guess);
   };
   const cv::Mat small (60, 80, CV_32FC1, cv::Scalar (2));
-  const RgbdFrame other = RgbdFrame::fromImages (small, small, {80, 80, 40, 30});
+  const RgbdFrame other =
+      RgbdFrame::fromImages (cv::Mat (0.25 * small), small, {80, 80, 40, 30});
   const RgbdFrame bare = RgbdFrame::fromImages ({}, view_.depth, scene_.camera);
   refused ([&] { run ({}, current_, segments_); }, "a frame is empty");
   refused ([&] { run (reference_, {}, segments_); }, "a frame is empty");
-  refused ([&] { run (reference_, other, segments_); }, "differ in size; resample");
+  refused ([&] { run (reference_, other, segments_); }, "and 80x60; resample");
   refused ([&] { run (reference_, bare, segments_); }, "one frame has colour");
   refused ([&] { run (reference_, current_, {}); }, "not of the reference frame");
   refused ([&] { run (other, other, segments_); }, "not of the reference frame");

@@ -167,9 +167,12 @@ badInputs ()
       {"colour", cv::Mat (kHeight, kWidth, CV_8UC4), ok, kCamera, {}, "CV_8UC3"},
       {"camera", {}, ok, PinholeCamera{}, {}, "give focal lengths"},
       {"normals", {}, ok, kCamera, cv::Mat (9, 9, CV_32FC3), "CV_32FC3"},
-      {"no depth", {}, constant (0.0), kCamera, {}, "check its unit (metres)"},
-      {"NaN depth", {}, constant (NAN), kCamera, {}, "check its unit (metres)"},
-      {"millimetres", {}, constant (2000.0), kCamera, {}, "unit (metres)"}};
+      {"no depth", {}, constant (0.0), kCamera, {}, "it is 0 everywhere"},
+      {"NaN depth", {}, constant (NAN), kCamera, {}, "not a number"},
+      {"behind", {}, constant (-2.0), kCamera, {}, "it is -2 to -2"},
+      {"millimetres", {}, constant (2000.0), kCamera, {}, "2000 to 2000, outside"},
+      {"narrow", {}, ok (cv::Rect (0, 0, 11, 30)), kCamera, {}, "is 11x30, and must"},
+      {"raw intensity", constant (130.0), ok, kCamera, {}, "normalizeIntensity"}};
 }
 
 TEST (RgbdFrame, RefusesBadInputAndNamesTheRemedy)

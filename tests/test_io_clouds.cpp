@@ -93,6 +93,18 @@ TEST (Clouds, ACloudOfAnotherFrameGivesNoCamera)
       [&] { io::readCloudImages (folder ("zeros.pcd")); }, "zeros.pcd", "camera");
 }
 
+TEST (Clouds, ACloudThatIsNotTheGivenCamerasIsRefused)
+{
+  const TemporaryFolder folder;
+  auto cloud = wall<pcl::PointXYZ>();
+  for (auto& point : cloud)
+    point.x = -point.x;
+  pcl::io::savePCDFileBinary (folder ("mirror.pcd"), cloud);
+  expectIoError ([&] { io::readCloudImages (folder ("mirror.pcd"), kCamera); },
+                 "mirror.pcd",
+                 "x is mirrored");
+}
+
 TEST (Clouds, RefusesMalformedFiles)
 {
   const TemporaryFolder folder;

@@ -40,6 +40,14 @@ cloudOf (std::uint32_t width, std::uint32_t height, float z)
   return cloud;
 }
 
+Cloud::Ptr
+changed (Cloud::Ptr cloud, const std::function<void (Point&)>& change)
+{
+  for (Point& p : *cloud)
+    change (p);
+  return cloud;
+}
+
 pcl::IndicesPtr
 indicesOf (pcl::Indices indices)
 {
@@ -113,7 +121,7 @@ const BadInput bad_inputs[] = {
      "z must be positive",
      [] (Registration& r, auto&) { r.setInputTarget (cloudOf (160, 120, -1.0f)); }},
     {"CameraUnknown", // all x and y are zero
-     "call setCamera",
+     "fill x and y",
      [] (Registration& r, auto&) { r.setInputSource (cloudOf (160, 120, 1.0f)); }},
     {"CameraAbsurd",
      "by setCamera",
@@ -128,6 +136,46 @@ const BadInput bad_inputs[] = {
          p.x *= 2.0f;
        r.setInputTarget (wide);
      }},
+    {"CameraOfAnotherResolution",
+     "0.5 times the focal length",
+     [] (Registration& r, auto&) {
+       r.setCamera ({300.0, 304.0, 159.5, 119.5});
+     }},
+    {"MirroredWithACamera",
+     "the source is no image of the camera",
+     [] (Registration& r, auto&) {
+       r.setCamera (RigidPair::camera());
+       r.setInputSource (
+           changed (RigidPair::reference(), [] (Point& p) { p.x *= -1; }));
+     }},
+    {"TargetMovedWithACamera",
+     "the target is no image of the camera",
+     [] (Registration& r, auto&) {
+       r.setCamera (RigidPair::camera());
+       r.setInputTarget (changed (RigidPair::current(), [] (Point& p) { p.x += 1; }));
+     }},
+    {"TargetMoved",
+     "the camera is at (1, ",
+     [] (Registration& r, auto&) {
+       r.setInputTarget (changed (RigidPair::current(), [] (Point& p) { p.x += 1; }));
+     }},
+    {"FlippedForAViewer",
+     "y and z are flipped",
+     [] (Registration& r, auto&) {
+       r.setInputSource (changed (RigidPair::reference(), [] (Point& p) {
+         p.y *= -1;
+         p.z *= -1;
+       }));
+     }},
+    {"Millimetres",
+     "millimetres?",
+     [] (Registration& r, auto&) {
+       r.setInputSource (changed (RigidPair::reference(),
+                                  [] (Point& p) { p.getVector3fMap() *= 1e3f; }));
+     }},
+    {"TooSmall",
+     "is 160x11, and must be at least 12x12",
+     [] (Registration& r, auto&) { r.setInputSource (cloudOf (160, 11, 1.0f)); }},
     {"LabelsOfAnotherSize",
      "clearSegmentation",
      [] (Registration& r, auto&) {

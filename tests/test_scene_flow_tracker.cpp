@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "support/window_scene.h"
+#include <gmock/gmock.h>
+#include <pcl_msf/cloud_conversions.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/piecewise_rigid_tracker.h>
 
@@ -236,6 +238,53 @@ TEST (PiecewiseRigidTracker, TakesCloudsAndGivesTheReferenceCarried)
   EXPECT_LT (distanceToTruth (scene, 3, camera), 0.015);
   tracker.restart();
   EXPECT_TRUE (tracker.getReferenceCloud() == nullptr);
+}
+
+TEST (PiecewiseRigidTracker, RefusesACloudOfAnotherFrameAndGoesOn)
+{
+  const test::AnalyticScene scene = standingRoom();
+  const auto views = test::renderWindow (scene, 2);
+  for (const bool given : {false, true}) {
+    PiecewiseRigidTracker<pcl::PointXYZI> tracker;
+    if (given)
+      tracker.setCamera (scene.camera);
+    ASSERT_TRUE (tracker.addCloud (toCloud (scene, views[0])));
+    const Cloud::Ptr moved = toCloud (scene, views[1]);
+    for (auto& point : *moved)
+      point.x += 1.0f;
+    testing::internal::CaptureStderr();
+    EXPECT_FALSE (tracker.addCloud (moved));
+    EXPECT_THAT (testing::internal::GetCapturedStderr(),
+                 testing::HasSubstr ("the camera is at (1, "));
+    EXPECT_TRUE (tracker.addCloud (toCloud (scene, views[1])));
+  }
+}
+
+TEST (PiecewiseRigidTracker, KeepsTheUnitOfItsFirstIntensities)
+{
+  const test::AnalyticScene scene = standingRoom();
+  const test::View view = scene.render (false);
+  double unit = 0.0;
+  const auto brightness = [&] (float factor) {
+    const Cloud::Ptr cloud = toCloud (scene, view);
+    for (auto& point : *cloud)
+      point.intensity *= factor;
+    return cv::mean (
+        detail::makeFrames ({{coordinateImage (*cloud), colorImage (*cloud)}},
+                            0,
+                            scene.camera,
+                            {},
+                            cv::Mat(),
+                            &unit)
+            .front()
+            .levels()[0]
+            .intensity)[0];
+  };
+  const double first = brightness (1000.0f);
+  EXPECT_EQ (unit, 1023.0);
+  EXPECT_NEAR (brightness (200.0f), 0.2 * first, 1e-4);
+  EXPECT_EQ (unit, 1023.0);
+  EXPECT_LT (brightness (3000.0f), 1.5 * first); // a larger unit, as it must
 }
 
 TEST (PiecewiseRigidTracker, WarpsTheReferenceOfTheNewWindow)

@@ -95,6 +95,7 @@ public:
 private:
   TrackerParameters parameters_;
   PinholeCamera used_camera_;
+  double intensity_unit_{0.0}; ///< of the clouds so far; it can only grow
   SceneFlowTracker tracker_;
   PointCloudConstPtr reference_;
   PointCloudConstPtr newest_; ///< the next reference when the present one is given up

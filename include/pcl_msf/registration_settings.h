@@ -32,7 +32,8 @@ public:
 
   /** \brief The camera of both clouds, pixels (Eq. 2). Refused unless finite with
    * positive focal lengths. Without it each align estimates it from the source, see
-   * estimateCamera; with it the clouds' x and y are not used for the estimation. */
+   * estimateCamera. Either way all clouds must fit it, see fitsCamera; beyond that
+   * their x and y are not used for the estimation. */
   void
   setCamera (const PinholeCamera& camera);
 

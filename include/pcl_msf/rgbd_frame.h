@@ -39,11 +39,13 @@ class RgbdFrame {
 public:
   RgbdFrame() = default;
 
-  /** \param color CV_8UC1, CV_8UC3 (BGR) or CV_32FC1 in [0, 1]; empty = geometry only
+  /** \param color CV_8UC1, CV_8UC3 (BGR) or CV_32FC1 in [0, 1], highlights above are
+   * cut, not finite is black (see normalizeIntensity); empty = geometry only
    * \param depth CV_32FC1, metres; NaN, inf, 0 and negative = no measurement
    * \param camera of both (they are registered to each other)
    * \param normals CV_32FC3 or empty: used in place of computed normals when given
-   * \throws InvalidInput for empty, sizes that differ, no valid depth, absurd camera */
+   * \throws InvalidInput for less than 12x12 pixels, sizes that differ, no valid depth,
+   * intensity in another unit, absurd camera */
   static RgbdFrame
   fromImages (const cv::Mat& color,
               const cv::Mat& depth,

@@ -3,8 +3,11 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/depth_pyramid.h"
+#include "core/depth_range.h"
+#include "core/frame_size.h"
 #include "core/noise.h"
 #include "core/normals.h"
+#include <pcl_msf/cloud_conversions.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/rgbd_frame.h>
 
@@ -28,8 +31,12 @@ requireUsable (const cv::Mat& color,
     throw InvalidInput ("frame parameters: " + why);
   if (depth.empty() || depth.type() != CV_32FC1)
     throw InvalidInput ("depth must be a non-empty CV_32FC1 image in metres");
+  why = whyTooSmall (depth.size());
+  if (!why.empty())
+    throw InvalidInput ("the frame " + why);
   if (!color.empty() && color.size() != depth.size())
-    throw InvalidInput ("colour and depth differ in size; register them to each other");
+    throw InvalidInput ("the colour is " + sizeText (color.size()) + ", the depth " +
+                        sizeText (depth.size()) + "; register them to each other");
   if (!color.empty() && color.type() != CV_8UC1 && color.type() != CV_8UC3 &&
       color.type() != CV_32FC1)
     throw InvalidInput ("colour must be CV_8UC1, CV_8UC3 (BGR) or CV_32FC1");
@@ -38,6 +45,8 @@ requireUsable (const cv::Mat& color,
     throw InvalidInput ("normals must be CV_32FC3 of the size of the depth image");
   if (!camera.isValid (depth.cols, depth.rows, &why))
     throw InvalidInput (why);
+  if (!hasDepth (depth, parameters, &why))
+    throw InvalidInput ("no valid depth: " + why);
 }
 
 /** Grey in [0, 1]; NaN in a float image counts as black. */
@@ -46,8 +55,12 @@ toIntensity (const cv::Mat& color)
 {
   cv::Mat intensity;
   if (color.type() == CV_32FC1) {
-    intensity = color.clone();
-    cv::patchNaNs (intensity, 0.0);
+    intensity = color;
+    if (intensityUnit ({&intensity}) > 1.0)
+      throw InvalidInput (
+          "colour as CV_32FC1 must be in [0, 1]; bring all frames there "
+          "together, by normalizeIntensity");
+    normalizeIntensity ({&intensity}, 1.0);
     return intensity;
   }
   cv::Mat gray = color;
@@ -98,8 +111,6 @@ RgbdFrame::fromImages (const cv::Mat& color,
   level.camera = camera;
   level.inverse_depth =
       inverseDepth (depth, parameters.min_depth, parameters.max_depth);
-  if (cv::countNonZero (level.inverse_depth) == 0)
-    throw InvalidInput ("no valid depth: check its unit (metres) and the depth limits");
   frame.inverse_depth_noise_ = estimateInverseDepthNoise (level.inverse_depth);
   if (!color.empty()) {
     level.intensity = toIntensity (color);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/frame_size.h"
 #include "core/two_frame_solve.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/scene_flow_estimator.h>
@@ -37,12 +38,18 @@ SceneFlowEstimator::requireUsable (const RgbdFrame& reference,
   if (reference.empty() || current.empty())
     throw InvalidInput ("a frame is empty");
   if (reference.width() != current.width() || reference.height() != current.height())
-    throw InvalidInput ("the frames differ in size; resample one of them");
+    throw InvalidInput ("the frames differ in size, " +
+                        sizeText ({reference.width(), reference.height()}) + " and " +
+                        sizeText ({current.width(), current.height()}) +
+                        "; resample one of them");
   if (reference.hasIntensity() != current.hasIntensity())
     throw InvalidInput ("one frame has colour and the other has none");
   if (segments.size() < 1 || segments.labels().cols != reference.width() ||
       segments.labels().rows != reference.height())
-    throw InvalidInput ("the segmentation is not of the reference frame");
+    throw InvalidInput ("the segmentation is not of the reference frame: it is " +
+                        sizeText (segments.labels().size()) + " with " +
+                        std::to_string (segments.size()) + " segments, the frame " +
+                        sizeText ({reference.width(), reference.height()}));
   requireSane (guess, "the guess");
 }
 

@@ -60,14 +60,16 @@ RgbdImages
 readCloudImages (const std::string& path, const std::optional<PinholeCamera>& camera)
 {
   const auto cloud = readOrganizedCloud (path);
-  const cv::Mat points = pointImage (*cloud);
+  const cv::Mat points = coordinateImage (*cloud);
   RgbdImages images;
   std::string why;
+  if (camera && !fitsCamera (points, *camera, &why))
+    throw IoError (path + ": not the given camera's: " + why);
   if (camera)
     images.camera = *camera;
   else if (!estimateCamera (points, images.camera, &why))
-    throw IoError (path + ": camera: " + why + "; give the camera");
-  images.depth = depthImage (points);
+    throw IoError (path + ": camera: " + why);
+  images.depth = depthImage (pointImage (*cloud));
   if (cloud->front().a != 0)
     images.color = colorImage (*cloud);
   return images;

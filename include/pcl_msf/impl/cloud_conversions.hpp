@@ -36,6 +36,12 @@ mapPoints (const pcl::PointCloud<PointT>& cloud, Function pixel_of)
   return image;
 }
 
+inline cv::Vec3f
+noPoint ()
+{
+  return cv::Vec3f::all (std::numeric_limits<float>::quiet_NaN());
+}
+
 /** rgb and rgba are four bytes B, G, R, A, whatever type the field has. */
 template <typename Field, typename PointT>
 cv::Vec3b
@@ -82,13 +88,22 @@ requireOrganized (const pcl::PointCloud<PointT>& cloud, const std::string& name)
 
 template <typename PointT>
 cv::Mat
+coordinateImage (const pcl::PointCloud<PointT>& cloud)
+{
+  requireOrganized (cloud, "cloud");
+  return detail::mapPoints<cv::Vec3f> (cloud, [] (const PointT& p) {
+    return pcl::isXYZFinite (p) ? cv::Vec3f (p.x, p.y, p.z) : detail::noPoint();
+  });
+}
+
+template <typename PointT>
+cv::Mat
 pointImage (const pcl::PointCloud<PointT>& cloud)
 {
   requireOrganized (cloud, "cloud");
-  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
   return detail::mapPoints<cv::Vec3f> (cloud, [] (const PointT& p) {
     return pcl::isXYZFinite (p) && p.z > 0.0f ? cv::Vec3f (p.x, p.y, p.z)
-                                              : cv::Vec3f (nan, nan, nan);
+                                              : detail::noPoint();
   });
 }
 

@@ -82,9 +82,9 @@ PiecewiseRigidRegistration<PointT>::makeFrames() const
 {
   std::vector<detail::CloudImages> clouds;
   for (const PointCloudTargetConstPtr& target : targets_)
-    clouds.push_back ({pointImage (*target), colorImage (*target)});
+    clouds.push_back ({coordinateImage (*target), colorImage (*target)});
   clouds.insert (clouds.begin() + reference_,
-                 {pointImage (*this->input_), colorImage (*this->input_)});
+                 {coordinateImage (*this->input_), colorImage (*this->input_)});
   return detail::makeFrames (std::move (clouds),
                              reference_,
                              camera_,

@@ -50,16 +50,19 @@ PiecewiseRigidTracker<PointT>::addCloud (const PointCloudConstPtr& cloud)
         cut.method = SegmentationMethod::Single;
       tracker_ = SceneFlowTracker (parameters_, cut, energy_, solver_, multiframe_);
     }
+    double unit = first ? 0.0 : intensity_unit_;
     const RgbdFrame frame =
-        detail::makeFrames ({{pointImage (*cloud), colorImage (*cloud)}},
+        detail::makeFrames ({{coordinateImage (*cloud), colorImage (*cloud)}},
                             0,
                             first ? camera_ : used_camera_,
                             frame_,
-                            cv::Mat())
+                            cv::Mat(),
+                            &unit)
             .front();
     const long reference = tracker_.firstFrame();
     tracker_.add (frame);
     used_camera_ = frame.camera();
+    intensity_unit_ = unit;
     if (first)
       reference_ = cloud;
     else if (tracker_.firstFrame() != reference)

@@ -26,7 +26,7 @@ namespace pcl_msf {
 namespace detail {
 
 struct CloudImages {
-  cv::Mat points; ///< as from pointImage
+  cv::Mat points; ///< as from coordinateImage
   cv::Mat color;  ///< as from colorImage
 };
 
@@ -35,14 +35,17 @@ std::string
 targetName (std::size_t target, std::size_t targets);
 
 /** Frames of clouds, in the order of time (section 3.3). A camera with fx = 0 is
- * estimated from the source, which is clouds[reference].
- * \throws InvalidInput naming the remedy in terms of PiecewiseRigidRegistration */
+ * estimated from the source, which is clouds[reference]; all clouds must fit the
+ * camera. \param intensity_unit of a stream: the least one to use in, the one used out;
+ * null for clouds that are all of it \throws InvalidInput naming the remedy in terms of
+ * PiecewiseRigidRegistration */
 std::vector<RgbdFrame>
 makeFrames (std::vector<CloudImages> clouds,
             int reference,
             const PinholeCamera& camera,
             const FrameParameters& parameters,
-            const cv::Mat& source_normals);
+            const cv::Mat& source_normals,
+            double* intensity_unit = nullptr);
 
 /** The segments that hold at least one of the points, each with all of its points. */
 Oversegmentation

@@ -24,7 +24,8 @@ readOrganizedCloud (const std::string& path);
 /** \brief Reads an organized cloud as images.
  *
  * \param camera of the cloud's sensor; when not given it is taken from the points
- * (estimateCamera) \throws IoError, also when the points tell no camera */
+ * (estimateCamera) \throws IoError, also when the points tell no camera or are not an
+ * image of the given one (fitsCamera) */
 RgbdImages
 readCloudImages (const std::string& path,
                  const std::optional<PinholeCamera>& camera = {});
