@@ -117,7 +117,7 @@ TEST (CloudCheck, AnotherCameraIsNamed)
   EXPECT_THAT (why ({own.fx, own.fy, own.cx + 9.0, own.cy}),
                HasSubstr ("another principal point"));
   EXPECT_THAT (why ({-own.fx, own.fy, own.cx, own.cy}),
-               HasSubstr ("give focal lengths"));
+               HasSubstr ("focal lengths must be positive"));
 }
 
 TEST (CloudCheck, CloudsThatNoPinholeCameraSeesSaySo)

@@ -166,7 +166,7 @@ TEST (Middlebury, NamesWhatIsDamaged)
   putText (folder ("new/calib.txt"), text.replace (text.find ("150"), 3, "abc"));
   expectIoError (open, "calib.txt", "baseline: 'abc'");
   putText (folder ("new/calib.txt"), "cam0=[200 0 40.5; 0 200 11.5; 0 0]\n");
-  expectIoError (open, "calib.txt", "cam0: 9 numbers");
+  expectIoError (open, "calib.txt", "cam0: 8 numbers where 9");
 }
 
 } // namespace

@@ -17,16 +17,17 @@ using namespace pcl_msf::tool;
 
 const float kNan = std::numeric_limits<float>::quiet_NaN();
 
-/** Two pictures of a wall at 2 m and at 2.2 m, focal length 10, 8 x 6 pixels. */
+/** Two pictures of a wall at 2 m and at 2.2 m, focal length 10, 16 x 12 pixels. */
 PairData
 walls ()
 {
   const PinholeCamera camera{10.0, 10.0, 3.5, 2.5};
   PairData pair;
-  pair.reference = {
-      cv::Mat (6, 8, CV_8UC1, cv::Scalar (90)), cv::Mat (6, 8, CV_32FC1, 2.0), camera};
-  pair.current = {cv::Mat (6, 8, CV_8UC1, cv::Scalar (100)),
-                  cv::Mat (6, 8, CV_32FC1, cv::Scalar (2.2)),
+  pair.reference = {cv::Mat (12, 16, CV_8UC1, cv::Scalar (90)),
+                    cv::Mat (12, 16, CV_32FC1, 2.0),
+                    camera};
+  pair.current = {cv::Mat (12, 16, CV_8UC1, cv::Scalar (100)),
+                  cv::Mat (12, 16, CV_32FC1, cv::Scalar (2.2)),
                   camera};
   pair.reference.depth.at<float> (0, 0) = 0.0f;
   return pair;
@@ -41,7 +42,7 @@ at (const Estimate& estimate, int y, int x)
 TEST (Lifting, TakesTheCurrentDepthAtTheTarget)
 {
   Estimate estimate;
-  estimate.flow = cv::Mat (6, 8, CV_32FC2, cv::Scalar (1.0, 0.0));
+  estimate.flow = cv::Mat (12, 16, CV_32FC2, cv::Scalar (1.0, 0.0));
   estimate.flow.at<cv::Vec2f> (4, 4) = {kNan, kNan};
   const PairData pair = walls();
   liftByDepth (pair, estimate);
@@ -53,7 +54,7 @@ TEST (Lifting, TakesTheCurrentDepthAtTheTarget)
   EXPECT_NEAR (d[2], 0.2, 1e-6);
   EXPECT_TRUE (std::isnan (at (estimate, 0, 0)[0])); // no depth
   EXPECT_TRUE (std::isnan (at (estimate, 4, 4)[0])); // no flow
-  EXPECT_NEAR (at (estimate, 2, 7)[2], 0.0, 1e-6);   // out of view: z as it was
+  EXPECT_NEAR (at (estimate, 2, 15)[2], 0.0, 1e-6);  // out of view: z as it was
 }
 
 TEST (Lifting, RigidMotionMovesPointsAndTheirPictures)
@@ -76,12 +77,12 @@ TEST (Lifting, RigidMotionMovesPointsAndTheirPictures)
 TEST (PairScores, TruthResidualsAndUnknownsByHand)
 {
   PairData pair = walls();
-  pair.truth.flow = cv::Mat (6, 8, CV_32FC2, cv::Scalar (3.0, 4.0));
-  pair.truth.visible = cv::Mat (6, 8, CV_8UC1, cv::Scalar (255));
+  pair.truth.flow = cv::Mat (12, 16, CV_32FC2, cv::Scalar (3.0, 4.0));
+  pair.truth.visible = cv::Mat (12, 16, CV_8UC1, cv::Scalar (255));
   pair.truth.visible.row (5) = 0;
   const Estimate rest = makeMethod ("zero", 1)->run (pair);
   const Score score = PairScorer (pair).score (rest, {});
-  EXPECT_EQ (score.points, 47.0);
+  EXPECT_EQ (score.points, 191.0);
   EXPECT_DOUBLE_EQ (score.epe_visible, 5.0);
   EXPECT_DOUBLE_EQ (score.epe_occluded, 5.0);
   EXPECT_DOUBLE_EQ (score.out_visible, 1.0);
@@ -96,7 +97,7 @@ TEST (PairScores, LiftedFlowHasNoDepthResidual)
 {
   const PairData pair = walls();
   Estimate estimate;
-  estimate.flow = cv::Mat (6, 8, CV_32FC2, cv::Scalar (0.0, 0.0));
+  estimate.flow = cv::Mat (12, 16, CV_32FC2, cv::Scalar (0.0, 0.0));
   liftByDepth (pair, estimate);
   EXPECT_TRUE (std::isnan (PairScorer (pair).score (estimate, {}).depth_mean));
 }

@@ -88,7 +88,7 @@ TEST (Oversegmentation, RefusesBadInputAndSaysWhy)
     std::vector<pcl::PointIndices> clusters (1);
     clusters[0].indices = {48 * 5, index};
     expectRefused ([&] { Oversegmentation::fromIndices (clusters, frame); },
-                   "outside the cloud");
+                   "the cloud only 48x40 points");
   }
   expectRefused ([&] { Oversegmentation::fromIndices ({}, frame); }, "no segment");
   expectRefused ([&] { Oversegmentation::fromIndices ({}, {}); }, "empty");

@@ -82,7 +82,7 @@ TEST (ResultFiles, RefusesWhatDoesNotFit)
                  "scene flow");
   expectIoError ([&] { io::writeWarpedCloud (folder ("a.pcd"), smallResult(), color); },
                  "a.pcd",
-                 "another size");
+                 "2x2 points and a colour image of 2x3");
   expectIoError (
       [&] { io::writeWarpedCloud (folder ("no/a.pcd"), smallResult(), cv::Mat()); },
       "a.pcd",

@@ -7,6 +7,7 @@
 #include "core/cloud_pose.h"
 #include "core/number_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -38,12 +39,19 @@ nearestAxes (const Eigen::Matrix3d& rotation)
   return axes;
 }
 
+/** Rotation vector; none of Eigen's functions for aligned types is left shared. */
+[[gnu::flatten]] Eigen::Vector3d
+turnOf (const Eigen::Matrix3d& rotation)
+{
+  const Eigen::AngleAxisd turn (rotation);
+  return turn.angle() * turn.axis();
+}
+
 /** Angle of the rotation between two frames of one handedness. */
 double
 degreesBetween (const Eigen::Matrix3d& a, const Eigen::Matrix3d& b)
 {
-  const Eigen::AngleAxisd turn (Eigen::Matrix3d (a * b.transpose()));
-  return std::abs (turn.angle()) * 180.0 / M_PI;
+  return turnOf (a * b.transpose()).norm() * 180.0 / M_PI;
 }
 
 /** "x is forward, y is left, z is up" */
@@ -130,10 +138,10 @@ turnFault (const Eigen::Matrix3d& optical_from_cloud)
 {
   if (optical_from_cloud.determinant() < 0.0)
     return "the cloud is mirrored and rotated against the optical frame";
-  const Eigen::AngleAxisd turn (Eigen::Matrix3d (optical_from_cloud.transpose()));
+  const Eigen::Vector3d turn = turnOf (optical_from_cloud.transpose());
   PlainStream text;
-  text << "the cloud is rotated by " << rounded (turn.angle() * 180.0 / M_PI, 10.0)
-       << " degrees about " << vectorText (turn.axis(), 10.0)
+  text << "the cloud is rotated by " << rounded (turn.norm() * 180.0 / M_PI, 10.0)
+       << " degrees about " << vectorText (turn / std::max (turn.norm(), 1e-12), 10.0)
        << " against the optical frame";
   return text.str();
 }

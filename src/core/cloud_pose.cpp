@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/cloud_pose.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "core/ray_fit.h"
@@ -30,7 +30,8 @@ struct PixelPoint {
   Eigen::Vector3d point;
 };
 using PixelPoints = std::vector<PixelPoint>;
-using Projection = Eigen::Matrix<double, 3, 4>;
+using Projection = Eigen::Matrix<double, 3, 4, Eigen::DontAlign>;
+using Square12 = Eigen::Matrix<double, 12, 12, Eigen::DontAlign>;
 
 /** Finite points but the origin, which some drivers write where nothing was measured.
  */
@@ -130,12 +131,13 @@ struct Normalization {
 /** The 3x4 matrix that takes points to pixels, by weighted linear least squares; zero
  * when the points leave it open. pcl::estimateProjectionMatrix sums unscaled floats,
  * which loses the offset of a cloud far from the origin. */
-Projection
+[[gnu::flatten]] Projection // none of Eigen's functions for aligned types is left
+                            // shared
 fitProjection (const PixelPoints& samples, const std::vector<double>& weights)
 {
   const Normalization<2> flat (samples, [] (const PixelPoint& s) { return s.pixel; });
   const Normalization<3> space (samples, [] (const PixelPoint& s) { return s.point; });
-  Eigen::Matrix<double, 12, 12> sum = Eigen::Matrix<double, 12, 12>::Zero();
+  Square12 sum = Square12::Zero();
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const PixelPoint& s = samples[i];
     const Eigen::Vector2d uv = flat.scale * (s.pixel - flat.mean);
@@ -146,13 +148,14 @@ fitProjection (const PixelPoints& samples, const std::vector<double>& weights)
     rows.col (1) << Eigen::Vector4d::Zero(), p, -uv.y() * p;
     sum += weights[i] * (rows * rows.transpose());
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 12, 12>> eigen (sum);
-  if (!(eigen.eigenvalues()[1] > kOnePoseOnly * eigen.eigenvalues()[11]))
+  cv::Mat values; // descending
+  cv::Mat vectors;
+  cv::eigen (cv::Mat (12, 12, CV_64FC1, sum.data()), values, vectors);
+  if (!(values.at<double> (10) > kOnePoseOnly * values.at<double> (0)))
     return Projection::Zero();
-  const Eigen::Matrix<double, 12, 1> best = eigen.eigenvectors().col (0);
   Projection normalized;
-  for (int row = 0; row < 3; ++row)
-    normalized.row (row) = best.segment<4> (4 * row).transpose();
+  for (int i = 0; i < 12; ++i)
+    normalized (i / 4, i % 4) = vectors.at<double> (11, i);
   return flat.matrix().inverse() * normalized * space.matrix();
 }
 

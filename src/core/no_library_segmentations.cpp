@@ -23,13 +23,13 @@ refuse (const std::string& method)
 } // namespace
 
 cv::Mat
-segmentByFelzenszwalb (const FrameLevel&, const SegmentationParameters&)
+segmentByFelzenszwalb (const FrameLevel&, const SegmentationParameters&, int)
 {
   refuse ("Felzenszwalb");
 }
 
 cv::Mat
-segmentBySlic (const FrameLevel&, int)
+segmentBySlic (const FrameLevel&, int, int)
 {
   refuse ("Slic");
 }
