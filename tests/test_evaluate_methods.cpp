@@ -83,8 +83,8 @@ TEST (PairScores, TruthResidualsAndUnknownsByHand)
   const Estimate rest = makeMethod ("zero", 1)->run (pair);
   const Score score = PairScorer (pair).score (rest, {});
   EXPECT_EQ (score.points, 191.0);
-  EXPECT_DOUBLE_EQ (score.epe_visible, 5.0);
-  EXPECT_DOUBLE_EQ (score.epe_occluded, 5.0);
+  EXPECT_NEAR (score.epe_visible, 5.0, 1e-6);
+  EXPECT_NEAR (score.epe_occluded, 5.0, 1e-6);
   EXPECT_DOUBLE_EQ (score.out_visible, 1.0);
   EXPECT_DOUBLE_EQ (score.photo_mean, 10.0);
   EXPECT_NEAR (score.depth_mean, 0.2, 1e-6);
