@@ -39,8 +39,7 @@ main (int argc, char** argv)
   if (!registration.hasConverged())
     return 1; // the reason is on stderr and in getReport ().message
 
-  std::cout << registration.getSceneFlow().segments.size() << " segments in "
-            << registration.getSceneFlow().bodies << " motion groups, dominant motion\n"
+  std::cout << registration.getSceneFlow().bodies << " motion groups, dominant motion\n"
             << registration.getFinalTransformation() << "\nmean squared distance "
             << registration.getFitnessScore() << " m^2\n";
   return pcl::io::savePCDFileBinary (argv[3], warped) == 0 ? 0 : 1;
