@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "core/body_assignment.h"
+#include "core/bodies/body_assignment.h"
 #include "support/covered_wall.h"
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/body_merging.h"
+#include "core/bodies/body_merging.h"
 #include "support/loose_plates.h"
 
 #include <random>

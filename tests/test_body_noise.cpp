@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "core/body_noise.h"
+#include "core/data/body_noise.h"
 #include "support/two_bodies.h"
 
 #include <algorithm>

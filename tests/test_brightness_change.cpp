@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "core/brightness_change.h"
+#include "core/frame/brightness_change.h"
 
 #include <random>
 

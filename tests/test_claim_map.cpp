@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "core/claim_map.h"
+#include "core/bodies/claim_map.h"
 #include "support/covered_wall.h"
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/concatenation_cost.h"
+#include "core/energy/concatenation_cost.h"
 #include <ceres/autodiff_cost_function.h>
 #include <ceres/gradient_checker.h>
 #include <ceres/rotation.h>

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "core/correlation_area.h"
+#include "core/data/correlation_area.h"
 #include "support/points.h"
 
 #include <random>
@@ -13,7 +13,7 @@ using namespace pcl_msf;
 
 constexpr int kWidth = 320;
 constexpr int kHeight = 240;
-constexpr float kSigmaDepth = 0.001f; // 1 / metres
+constexpr float kSigmaDepth = 0.001f;    // 1 / metres
 constexpr float kSigmaIntensity = 1e-4f; // far below the gradient
 
 /** Noise that is the same all over squares. */

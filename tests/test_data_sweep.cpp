@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/data_term.h"
+#include "core/data/data_term.h"
 #include "support/analytic_scene.h"
 #include "support/points.h"
 

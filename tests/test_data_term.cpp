@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "core/data_term.h"
+#include "core/data/data_term.h"
 #include "support/points.h"
 
 #include <cmath>

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "core/dense_points.h"
-#include "core/dense_visibility.h"
+#include "core/result/dense_points.h"
+#include "core/result/dense_visibility.h"
 #include "support/bending_wall.h"
 #include "support/points.h"
 #include <pcl_msf/rgbd_frame.h>

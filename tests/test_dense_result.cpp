@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "core/dense_result.h"
+#include "core/result/dense_result.h"
 #include "support/bending_wall.h"
 
 namespace {

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "core/depth_fusion.h"
-#include "core/exposure.h"
+#include "core/window/depth_fusion.h"
+#include "core/window/exposure.h"
 
 #include <cmath>
 #include <random>

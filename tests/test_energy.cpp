@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "core/minimize.h"
+#include "core/energy/minimize.h"
 #include "support/autodiff_energy.h"
 #include "support/kept_problem.h"
 #include "support/window_scene.h"

@@ -4,8 +4,8 @@
 
 #include <Eigen/Geometry>
 
-#include "core/depth_pyramid.h"
-#include "core/noise.h"
+#include "core/frame/depth_pyramid.h"
+#include "core/frame/noise.h"
 #include "support/points.h"
 #include <gmock/gmock.h>
 #include <pcl_msf/errors.h>

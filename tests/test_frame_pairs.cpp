@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "core/frame_pairs.h"
+#include "core/window/frame_pairs.h"
 
 namespace {
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "core/hidden_segments.h"
+#include "core/bodies/hidden_segments.h"
 #include "support/covered_wall.h"
 
 namespace {

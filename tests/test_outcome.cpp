@@ -4,7 +4,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "core/outcome.h"
+#include "core/result/outcome.h"
 #include "support/room.h"
 #include <gmock/gmock.h>
 #include <pcl_msf/multiframe_estimator.h>

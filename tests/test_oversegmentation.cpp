@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "core/connected_segments.h"
+#include "core/segments/connected_segments.h"
 #include "support/analytic_scene.h"
 #include "support/points.h"
 #include <pcl_msf/oversegmentation.h>

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/pose_coupling.h"
+#include "core/energy/pose_coupling.h"
 #include <ceres/gradient_checker.h>
 
 #include <cmath>

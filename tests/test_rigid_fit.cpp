@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/rigid_fit.h"
+#include "core/motion/rigid_fit.h"
 
 #include <random>
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "core/segment_block.h"
+#include "core/energy/segment_block.h"
 
 #include <cmath>
 #include <limits>

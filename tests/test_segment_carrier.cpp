@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "core/segment_carrier.h"
+#include "core/window/segment_carrier.h"
 #include "support/analytic_scene.h"
 
 namespace {

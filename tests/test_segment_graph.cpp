@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "core/segment_graph.h"
+#include "core/segments/segment_graph.h"
 
 #include <algorithm>
 #include <numeric>

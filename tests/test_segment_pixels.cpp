@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "core/segment_pixels.h"
+#include "core/segments/segment_pixels.h"
 
 namespace {
 

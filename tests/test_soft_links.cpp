@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "core/soft_links.h"
+#include "core/result/soft_links.h"
 #include "support/bending_wall.h"
 
 #include <set>

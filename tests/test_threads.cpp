@@ -4,8 +4,8 @@
 
 #include <opencv2/core/utility.hpp>
 
-#include "core/opencv_threads.h"
-#include "core/parallel_for.h"
+#include "core/base/opencv_threads.h"
+#include "core/base/parallel_for.h"
 #include "rigid_pair.h"
 #include <pcl_msf/piecewise_rigid_registration.h>
 #include <sys/wait.h>

@@ -5,9 +5,9 @@
 // the plates may move differently.
 #include <gtest/gtest.h>
 
-#include "core/body_assignment.h"
-#include "core/body_merging.h"
-#include "core/body_noise.h"
+#include "core/bodies/body_assignment.h"
+#include "core/bodies/body_merging.h"
+#include "core/data/body_noise.h"
 #include "support/loose_plates.h"
 
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "core/number_text.h"
+#include "core/base/number_text.h"
 #include <pcl_msf/pinhole_camera.h>
 
 #include <algorithm>
@@ -135,9 +135,8 @@ positive (std::optional<double>& value)
 inline Setter
 positive (double& value)
 {
-  return [&value] (const std::string& text) {
-    return parse (text, value) && value > 0.0;
-  };
+  return
+      [&value] (const std::string& text) { return parse (text, value) && value > 0.0; };
 }
 
 } // namespace pcl_msf::tool

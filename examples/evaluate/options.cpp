@@ -5,7 +5,7 @@
 #include <pcl/console/print.h>
 
 #include "common/option_values.h"
-#include "core/number_text.h"
+#include "core/base/number_text.h"
 #include "evaluate_option_table.h"
 #include "method.h"
 #include "score.h"

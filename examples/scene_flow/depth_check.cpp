@@ -3,7 +3,7 @@
 #include "depth_check.h"
 
 #include "common/command_line.h"
-#include "core/number_text.h"
+#include "core/base/number_text.h"
 
 #include <algorithm>
 #include <cmath>

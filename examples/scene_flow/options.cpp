@@ -4,7 +4,7 @@
 
 #include <pcl/console/print.h>
 
-#include "core/number_text.h"
+#include "core/base/number_text.h"
 #include "option_table.h"
 
 namespace pcl_msf::tool {

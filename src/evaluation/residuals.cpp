@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <opencv2/imgproc.hpp>
 
-#include "core/opencv_threads.h"
+#include "core/base/opencv_threads.h"
 #include "evaluation/check_images.h"
 #include <pcl_msf/evaluation/flow_errors.h>
 #include <pcl_msf/evaluation/residuals.h>

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <opencv2/imgproc.hpp>
 
-#include "core/opencv_threads.h"
+#include "core/base/opencv_threads.h"
 #include "io/figure_parts.h"
 #include <pcl_msf/io/figures.h>
 

@@ -4,8 +4,8 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "core/number_text.h"
-#include "core/opencv_threads.h"
+#include "core/base/number_text.h"
+#include "core/base/opencv_threads.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <opencv2/imgcodecs.hpp>
 
-#include "core/number_text.h"
+#include "core/base/number_text.h"
 #include "io/decode_image.h"
 #include "io/input_file.h"
 #include "io/output_file.h"

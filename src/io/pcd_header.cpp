@@ -4,7 +4,7 @@
 
 #include <pcl/io/lzf.h>
 
-#include "core/number_text.h"
+#include "core/base/number_text.h"
 #include "io/input_file.h"
 
 #include <cstdint>

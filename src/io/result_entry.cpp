@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "core/number_text.h"
+#include "core/base/number_text.h"
 #include "io/classic_locale.h"
 #include "io/figure_parts.h"
 #include <pcl_msf/errors.h>

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <Eigen/Geometry>
 
-#include "core/number_text.h"
+#include "core/base/number_text.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/float_files.h>
 #include <pcl_msf/io/folders.h>

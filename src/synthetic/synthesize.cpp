@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "core/parallel_for.h"
+#include "core/base/parallel_for.h"
 #include <pcl_msf/errors.h>
 #include <synthetic/color_renderer.h>
 #include <synthetic/sensor_model.h>

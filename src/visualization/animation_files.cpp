@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <opencv2/videoio.hpp>
 
-#include "core/number_text.h"
+#include "core/base/number_text.h"
 #include "io/output_file.h"
 #include "visualization/child_process.h"
 #include <pcl_msf/errors.h>

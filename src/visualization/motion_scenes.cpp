@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <opencv2/imgproc.hpp>
 
-#include "core/number_text.h"
+#include "core/base/number_text.h"
 #include "visualization/annotations.h"
 #include "visualization/point_colors.h"
 #include "visualization/result_checks.h"

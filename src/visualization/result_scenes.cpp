@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "core/number_text.h"
+#include "core/base/number_text.h"
 #include "visualization/point_colors.h"
 #include "visualization/result_checks.h"
 #include "visualization/seams.h"

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "core/data_term.h"
+#include "core/data/data_term.h"
 #include <ceres/autodiff_cost_function.h>
 #include <ceres/jet.h>
 #include <ceres/loss_function.h>

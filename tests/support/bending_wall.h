@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "core/data_term.h"
-#include "core/segment_graph.h"
+#include "core/data/data_term.h"
+#include "core/segments/segment_graph.h"
 #include "support/analytic_scene.h"
 #include "support/points.h"
 

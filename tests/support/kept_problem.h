@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/ceres_problem.h"
+#include "core/energy/ceres_problem.h"
 #include <ceres/crs_matrix.h>
 
 #include <vector>

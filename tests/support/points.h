@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "core/segment_pixels.h"
+#include "core/segments/segment_pixels.h"
 
 namespace pcl_msf {
 namespace test {

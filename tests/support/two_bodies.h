@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "core/pair_terms.h"
-#include "core/segment_graph.h"
+#include "core/data/pair_terms.h"
+#include "core/segments/segment_graph.h"
 #include "support/analytic_scene.h"
 #include "support/points.h"
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "core/energy.h"
+#include "core/energy/energy.h"
 #include "support/analytic_scene.h"
 
 #include <algorithm>

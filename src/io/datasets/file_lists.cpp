@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "io/datasets/file_lists.h"
 
-#include "core/number_text.h"
+#include "core/base/number_text.h"
 #include "io/input_file.h"
 
 #include <algorithm>

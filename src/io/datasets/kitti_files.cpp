@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "io/datasets/kitti_files.h"
 
-#include "core/number_text.h"
+#include "core/base/number_text.h"
 #include "io/datasets/frame_parts.h"
 #include "io/datasets/text_table.h"
 #include <pcl_msf/errors.h>

@@ -4,7 +4,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "core/number_text.h"
+#include "core/base/number_text.h"
 #include "io/datasets/file_lists.h"
 #include "io/decode_image.h"
 #include "io/input_file.h"

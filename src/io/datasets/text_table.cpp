@@ -4,7 +4,7 @@
 
 #include <Eigen/LU>
 
-#include "core/number_text.h"
+#include "core/base/number_text.h"
 #include "io/input_file.h"
 #include <pcl_msf/errors.h>
 

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/number_text.h"
+#include "core/base/number_text.h"
 #include "io/datasets/text_table.h"
 
 #include <algorithm>

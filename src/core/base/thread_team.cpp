@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/base/thread_team.h"
+
+#include "core/base/parallel_for.h"
+#include <pthread.h>
+
+#include <csignal>
+#include <ctime>
+#include <memory>
+#include <system_error>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr unsigned kPlace = 1U << 16;                   // in the gate's upper half
+constexpr unsigned kInside = kPlace - 1U;               // its lower half
+constexpr auto kAwake = std::chrono::microseconds (50); // before a thread sleeps
+constexpr auto kLongWait = std::chrono::milliseconds (1);
+constexpr int kAlone = 20; // times the time lost that follow alone: little is lost
+constexpr int kMostHelpers = 1023;
+
+thread_local bool busy_here = false;
+
+/** Null until the thread's first loop. */
+std::unique_ptr<ThreadTeam>&
+teamHere ()
+{
+  thread_local std::unique_ptr<ThreadTeam> team;
+  return team;
+}
+
+/** In a forked process: the team's threads are not there, and what they held will never
+ * be released, so it is left as it is. */
+void
+leaveParentsTeam ()
+{
+  [[maybe_unused]] const ThreadTeam* lost = teamHere().release();
+}
+
+/** Threads that are started meanwhile get no signals: the application's handlers run in
+ * its own threads. */
+class WithoutSignals {
+public:
+  WithoutSignals()
+  {
+    sigset_t all;
+    sigfillset (&all);
+    pthread_sigmask (SIG_SETMASK, &all, &before_);
+  }
+  ~WithoutSignals() { pthread_sigmask (SIG_SETMASK, &before_, nullptr); }
+  WithoutSignals (const WithoutSignals&) = delete;
+  WithoutSignals&
+  operator= (const WithoutSignals&) = delete;
+
+private:
+  sigset_t before_{};
+};
+
+/** How long this thread has run on a processor. */
+std::chrono::nanoseconds
+processorTime ()
+{
+  timespec time{};
+  clock_gettime (CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::seconds (time.tv_sec) + std::chrono::nanoseconds (time.tv_nsec);
+}
+
+/** Looks for a while whether something came true, before the thread goes to sleep. */
+template <typename Condition>
+bool
+comesSoon (const Condition& condition)
+{
+  const auto end = std::chrono::steady_clock::now() + kAwake;
+  do {
+    for (int i = 0; i < 32; ++i) {
+      if (condition())
+        return true;
+#if defined(__x86_64__) || defined(__i386__)
+      __builtin_ia32_pause();
+#endif
+    }
+  }
+  while (std::chrono::steady_clock::now() < end);
+  return condition();
+}
+
+} // namespace
+
+int
+threadCount (unsigned wanted)
+{
+  return static_cast<int> (
+      wanted > 0 ? wanted : std::max (1U, std::thread::hardware_concurrency()));
+}
+
+ThreadTeam&
+ThreadTeam::ofThisThread()
+{
+  [[maybe_unused]] static const int registered =
+      pthread_atfork (nullptr, nullptr, leaveParentsTeam);
+  std::unique_ptr<ThreadTeam>& team = teamHere();
+  if (!team)
+    team = std::make_unique<ThreadTeam>();
+  return *team;
+}
+
+bool
+ThreadTeam::busyHere()
+{
+  return busy_here;
+}
+
+ThreadTeam::~ThreadTeam()
+{
+  {
+    const std::lock_guard<std::mutex> lock (mutex_);
+    ended_ = true;
+  }
+  begun_.notify_all();
+  for (std::thread& helper : helpers_)
+    helper.join();
+}
+
+bool
+ThreadTeam::isHeldUp() const
+{
+  return Clock::now() < alone_until_;
+}
+
+void
+ThreadTeam::run (const Loop& loop, int threads)
+{
+  const Clock::time_point begin = Clock::now();
+  const Clock::duration processor = processorTime();
+  const int parts = (loop.n + loop.chunk - 1) / loop.chunk;
+  const int helpers =
+      begin < alone_until_ ? 0 : std::min ({threads - 1, parts - 1, kMostHelpers});
+  hire (helpers);
+  loop_ = loop;
+  next_ = 0;
+  error_ = nullptr;
+  if (helpers > 0)
+    open (std::min (helpers, static_cast<int> (helpers_.size())));
+  busy_here = true;
+  work();
+  busy_here = false;
+  if (helpers > 0) {
+    const Clock::duration work = Clock::now() - begin;
+    const Clock::duration stopped = work - (processorTime() - processor);
+    close();
+    const Clock::duration wait = Clock::now() - begin - work;
+    judge (work, stopped, wait);
+  }
+  if (error_)
+    std::rethrow_exception (error_);
+}
+
+/** Fewer helpers than wanted are no error: the caller does what they would have done.
+ */
+void
+ThreadTeam::hire (int helpers)
+{
+  if (static_cast<int> (helpers_.size()) >= helpers)
+    return;
+  const WithoutSignals quiet;
+  try {
+    while (static_cast<int> (helpers_.size()) < helpers)
+      helpers_.emplace_back ([this] { help(); });
+  }
+  catch (const std::system_error&) { // no more threads
+  }
+}
+
+/** Lets helpers in, and wakes them. */
+void
+ThreadTeam::open (int helpers)
+{
+  gate_ = static_cast<unsigned> (helpers) * kPlace;
+  ++round_;
+  const int asleep = std::min (helpers, sleeping_.load());
+  if (asleep == 0)
+    return;
+  {
+    const std::lock_guard<std::mutex> lock (mutex_);
+  }
+  for (int i = 0; i < asleep; ++i)
+    begun_.notify_one();
+}
+
+/** Lets nobody in any more, and waits for those who are. */
+void
+ThreadTeam::close()
+{
+  gate_ &= kInside;
+  const auto empty = [this] { return gate_ == 0; };
+  if (comesSoon (empty))
+    return;
+  std::unique_lock<std::mutex> lock (mutex_);
+  caller_sleeps_ = true;
+  done_.wait (lock, empty);
+  caller_sleeps_ = false;
+}
+
+/** Time in which this thread was stopped, or waited: a wait that is longer than the
+ * work before it was for a helper that was stopped. Other programs want the processors.
+ */
+void
+ThreadTeam::judge (Clock::duration work, Clock::duration stopped, Clock::duration wait)
+{
+  const Clock::duration lost = stopped + (wait > work ? wait : Clock::duration (0));
+  if (lost > kLongWait)
+    alone_until_ = Clock::now() + kAlone * lost;
+}
+
+void
+ThreadTeam::help()
+{
+  busy_here = true;
+  unsigned seen = 0;
+  while (waitForRound (seen))
+    if (enter()) {
+      work();
+      leave();
+    }
+}
+
+/** False when the team's thread ends. */
+bool
+ThreadTeam::waitForRound (unsigned& seen)
+{
+  const auto begun = [&] { return round_ != seen || ended_; };
+  if (!comesSoon (begun)) {
+    std::unique_lock<std::mutex> lock (mutex_);
+    ++sleeping_;
+    begun_.wait (lock, begun);
+    --sleeping_;
+  }
+  seen = round_;
+  return !ended_;
+}
+
+bool
+ThreadTeam::enter()
+{
+  unsigned gate = gate_;
+  while (gate >= kPlace)
+    if (gate_.compare_exchange_weak (gate, gate - kPlace + 1))
+      return true;
+  return false;
+}
+
+void
+ThreadTeam::leave()
+{
+  if (--gate_ == 0 && caller_sleeps_) {
+    const std::lock_guard<std::mutex> lock (mutex_);
+    done_.notify_one();
+  }
+}
+
+void
+ThreadTeam::work()
+{
+  const Loop loop = loop_;
+  try {
+    while (true) {
+      const int begin = next_.fetch_add (loop.chunk, std::memory_order_relaxed);
+      if (begin >= loop.n)
+        return;
+      loop.part (loop.context, begin, std::min (begin + loop.chunk, loop.n));
+    }
+  }
+  catch (...) {
+    next_ = loop.n;
+    const std::lock_guard<std::mutex> lock (mutex_);
+    if (!error_)
+      error_ = std::current_exception();
+  }
+}
+
+} // namespace pcl_msf

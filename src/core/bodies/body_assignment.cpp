@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/bodies/body_assignment.h"
+
+#include "core/base/parallel_for.h"
+#include "core/bodies/claim_map.h"
+#include "core/segments/segment_graph.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <numeric>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr double kMostlyHidden = 0.5;
+constexpr int kLargest = 6;          // bodies that every segment tries
+constexpr double kBorderShare = 0.5; // of points that may land on a neighbour's place
+
+class Assignment {
+public:
+  Assignment (const std::vector<PairTerms>& terms,
+              const std::vector<SegmentLink>& links,
+              const AssignmentRules& rules,
+              WindowState& state);
+
+  int
+  round (int threads);
+
+private:
+  std::vector<int>
+  largestBodies () const;
+  DataTerm::Probe
+  probe (int segment, int body) const;
+  void
+  lookWhoIsSeen (int threads);
+  void
+  mapClaims (int threads);
+  double
+  takenShare (int segment, int body) const;
+  double
+  score (int segment, int body, double limit) const;
+  int
+  choose (int segment, const std::vector<int>& candidates) const;
+
+  const std::vector<PairTerms> asked_;
+  const AssignmentRules& rules_;
+  WindowState& state_;
+  const int segments_;
+  std::vector<std::vector<int>> neighbors_;
+  int largest_{0};                   ///< body
+  std::vector<char> seen_;           ///< per segment: mostly visible with its body
+  std::vector<MotionState> motions_; ///< per asked pair
+  std::vector<std::unique_ptr<ClaimMap>> claims_; ///< likewise, of motions_
+};
+
+Assignment::Assignment (const std::vector<PairTerms>& terms,
+                        const std::vector<SegmentLink>& links,
+                        const AssignmentRules& rules,
+                        WindowState& state)
+: asked_ (fromReference (terms))
+, rules_ (rules)
+, state_ (state)
+, segments_ (static_cast<int> (state.body_of.size()))
+, neighbors_ (neighborLists (links, segments_))
+{}
+
+std::vector<int>
+Assignment::largestBodies() const
+{
+  std::vector<int> points (state_.bodies(), 0);
+  for (int k = 0; k < segments_; ++k)
+    points[state_.body_of[k]] += asked_.front().sample->pixels().size (k);
+  std::vector<int> order (points.size());
+  std::iota (order.begin(), order.end(), 0);
+  std::stable_sort (
+      order.begin(), order.end(), [&] (int a, int b) { return points[a] > points[b]; });
+  order.resize (std::min<std::size_t> (order.size(), kLargest));
+  return order;
+}
+
+/** Costs of all asked pairs together; `hidden` is their mean by weight. */
+DataTerm::Probe
+Assignment::probe (int segment, int body) const
+{
+  DataTerm::Probe sum;
+  for (const PairTerms& pair : asked_) {
+    const DataTerm::Probe one =
+        pair.sample->probe (segment, state_.poses[pair.pair][body]);
+    sum.cost += one.cost;
+    sum.weight += one.weight;
+    sum.hidden += one.hidden * one.weight;
+  }
+  sum.hidden = sum.weight > 0.0 ? sum.hidden / sum.weight : 1.0;
+  return sum;
+}
+
+/** Mean over the pairs of what ClaimMap calls taken, beyond borders. */
+double
+Assignment::takenShare (int segment, int body) const
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < asked_.size(); ++i)
+    sum += std::max (
+        0.0, claims_[i]->takenShare (*asked_[i].sample, segment, body) - kBorderShare);
+  return sum / ((1.0 - kBorderShare) * static_cast<double> (asked_.size()));
+}
+
+double
+Assignment::score (int segment, int body, double limit) const
+{
+  const auto& near = neighbors_[segment];
+  int others = 0;
+  bool supported = false;
+  for (const int n : near) {
+    const bool together = state_.body_of[n] == body;
+    others += together ? 0 : 1;
+    supported |= together && seen_[n];
+  }
+  const double share =
+      static_cast<double> (others) / std::max<std::size_t> (1, near.size());
+  const DataTerm& sample = *asked_.front().sample;
+  const DataTerm::Probe p = probe (segment, body);
+  const double hidden = supported ? 0.0 : p.hidden * sample.unsupportedCost();
+  const double independent = p.weight * asked_.front().residual_scale;
+  const double own_way =
+      std::min (rules_.most_prior, rules_.prior / std::max (1.0, independent));
+  const double sum = p.cost / std::max (p.weight, 1e-12) + hidden +
+                     rules_.separation * share + (body == largest_ ? 0.0 : own_way);
+  return sum >= limit ? sum
+                      : sum + takenShare (segment, body) * sample.rules().conflict_cost;
+}
+
+int
+Assignment::choose (int segment, const std::vector<int>& largest) const
+{
+  std::vector<int> candidates = largest;
+  for (const int n : neighbors_[segment])
+    candidates.push_back (state_.body_of[n]);
+  std::sort (candidates.begin(), candidates.end());
+  candidates.erase (std::unique (candidates.begin(), candidates.end()),
+                    candidates.end());
+  int best = state_.body_of[segment];
+  double lowest = score (segment, best, std::numeric_limits<double>::infinity());
+  for (const int body : candidates) {
+    const double s = score (segment, body, lowest);
+    if (s < lowest) {
+      lowest = s;
+      best = body;
+    }
+  }
+  return best;
+}
+
+void
+Assignment::lookWhoIsSeen (int threads)
+{
+  seen_.assign (segments_, 0);
+  parallelFor (threads, segments_, 8, [&] (int k) {
+    seen_[k] = probe (k, state_.body_of[k]).hidden < kMostlyHidden;
+  });
+}
+
+void
+Assignment::mapClaims (int threads)
+{
+  const int pairs = static_cast<int> (asked_.size());
+  motions_.clear();
+  for (const PairTerms& pair : asked_)
+    motions_.push_back (state_.ofPair (pair.pair));
+  claims_.resize (pairs);
+  parallelFor (threads, pairs, 1, [&] (int i) {
+    claims_[i] = std::make_unique<ClaimMap> (*asked_[i].all, motions_[i]);
+  });
+}
+
+int
+Assignment::round (int threads)
+{
+  const std::vector<int> largest = largestBodies();
+  largest_ = largest.front();
+  lookWhoIsSeen (threads);
+  mapClaims (threads);
+  std::vector<int> next (segments_);
+  const int changes = parallelSum (threads, segments_, 8, [&] (int k) {
+    next[k] = choose (k, largest);
+    return next[k] != state_.body_of[k] ? 1 : 0;
+  });
+  state_.body_of.swap (next);
+  return changes;
+}
+
+} // namespace
+
+int
+reassignBodies (const std::vector<PairTerms>& terms,
+                const std::vector<SegmentLink>& links,
+                const AssignmentRules& rules,
+                int threads,
+                WindowState& state)
+{
+  Assignment assignment (terms, links, rules, state);
+  int total = 0;
+  for (int i = 0; i < rules.rounds; ++i) {
+    const int changes = assignment.round (threads);
+    total += changes;
+    if (changes == 0)
+      break;
+  }
+  state.renumberBodies();
+  return total;
+}
+
+} // namespace pcl_msf

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/bodies/body_merging.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <queue>
+#include <set>
+#include <tuple>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr int kLargest = 6;        // bodies that every other one may join
+constexpr double kRounding = 1e-7; // of sums of single-precision products, relative
+
+/** E (x) = 1/2 x' A x - h' x + const over a pair's six pose parameters. */
+struct PoseQuadratic {
+  Matrix6 a{Matrix6::Zero()};
+  Vector6 h{Vector6::Zero()};
+  Vector6 best{Vector6::Zero()}; ///< its minimum, near the prior where A says nothing
+
+  /** \return the minimum's energy */
+  double
+  solve (const Vector6& prior)
+  {
+    Matrix6 m = a;
+    const double ridge = kRounding * a.trace() + 1e-15;
+    m.diagonal().array() += ridge;
+    best = Eigen::LDLT<Matrix6> (m).solve (h + ridge * prior);
+    return 0.5 * best.dot (a * best) - h.dot (best);
+  }
+};
+
+/** A body's quadratics in all pairs. */
+struct BodyQuadratics {
+  std::vector<PoseQuadratic> pairs;
+  double points{0.0}; ///< independent ones
+  double minimum{0.0};
+  int version{0};
+  bool alive{false}; ///< has segments and was not merged into another
+  std::set<int> neighbors;
+};
+
+PoseQuadratic
+sum (const PoseQuadratic& a, const PoseQuadratic& b)
+{
+  PoseQuadratic result;
+  result.a = a.a + b.a;
+  result.h = a.h + b.h;
+  return result;
+}
+
+BodyQuadratics
+sum (const BodyQuadratics& a, const BodyQuadratics& b)
+{
+  BodyQuadratics result;
+  result.alive = true;
+  result.points = a.points + b.points;
+  const BodyQuadratics& larger = a.points >= b.points ? a : b;
+  for (std::size_t p = 0; p < a.pairs.size(); ++p) {
+    result.pairs.push_back (sum (a.pairs[p], b.pairs[p]));
+    result.minimum += result.pairs.back().solve (larger.pairs[p].best);
+  }
+  return result;
+}
+
+/** How much one common motion costs more than two. */
+double
+increase (const BodyQuadratics& a, const BodyQuadratics& b)
+{
+  const BodyQuadratics& larger = a.points >= b.points ? a : b;
+  double minimum = 0.0;
+  for (std::size_t p = 0; p < a.pairs.size(); ++p)
+    minimum += sum (a.pairs[p], b.pairs[p]).solve (larger.pairs[p].best);
+  return minimum - a.minimum - b.minimum;
+}
+
+/** Of a segment, each counting for all of its residuals. */
+double
+independentPoints (const PairTerms& terms, int segment)
+{
+  const SegmentPixels& pixels = terms.all->pixels();
+  const int residuals = (pixels.brightness_count > 0) + (pixels.icp_count > 0);
+  return terms.residual_scale * terms.all->totalWeight (segment) /
+         std::max (1, residuals);
+}
+
+class Merger {
+public:
+  Merger (const std::vector<PairTerms>& terms,
+          int frames,
+          const std::vector<SegmentLink>& links,
+          const MergeRules& rules,
+          WindowState& state);
+
+  void
+  run ();
+
+private:
+  struct Edge {
+    double increase;
+    int first, second;
+    int first_version, second_version;
+    bool
+    operator<(const Edge& other) const // the cheapest on top, ties by index
+    {
+      return std::tie (increase, first, second) >
+             std::tie (other.increase, other.first, other.second);
+    }
+  };
+
+  void
+  addPair (const PairTerms& terms);
+  void
+  connect (const std::vector<SegmentLink>& links);
+  void
+  consider (int a, int b);
+  void
+  merge (int a, int b);
+  void
+  mergeQueued ();
+  bool
+  considerLargest ();
+  void
+  writeBack ();
+
+  const std::vector<PairTerms>& terms_;
+  const double strictness_; ///< of the allowances
+  const MergeRules rules_;
+  WindowState& state_;
+  std::vector<BodyQuadratics> bodies_;
+  std::vector<int> joined_; ///< body -> the one that it went into
+  std::priority_queue<Edge> queue_;
+};
+
+Merger::Merger (const std::vector<PairTerms>& terms,
+                int frames,
+                const std::vector<SegmentLink>& links,
+                const MergeRules& rules,
+                WindowState& state)
+: terms_ (terms)
+, strictness_ (std::sqrt (frames - 1.0))
+, rules_ (rules)
+, state_ (state)
+, bodies_ (state.bodies())
+, joined_ (state.bodies())
+{
+  std::iota (joined_.begin(), joined_.end(), 0);
+  for (const PairTerms& pair : terms)
+    addPair (pair);
+  const PairTerms own = fromReference (terms).front();
+  for (std::size_t k = 0; k < state.body_of.size(); ++k) {
+    bodies_[state.body_of[k]].points += independentPoints (own, static_cast<int> (k));
+    bodies_[state.body_of[k]].alive = true;
+  }
+  connect (links);
+}
+
+void
+Merger::addPair (const PairTerms& terms)
+{
+  const auto& poses = state_.poses[terms.pair];
+  for (BodyQuadratics& body : bodies_)
+    body.pairs.emplace_back();
+  for (std::size_t k = 0; k < state_.body_of.size(); ++k) {
+    const int b = state_.body_of[k];
+    const Eigen::Map<const Vector6> pose (poses[b].parameters.data());
+    const SegmentQuadratic& q = terms.all->of (static_cast<int> (k));
+    PoseQuadratic& body = bodies_[b].pairs.back();
+    body.a += terms.residual_scale * q.information;
+    body.h += terms.residual_scale * (q.information * pose - q.gradient);
+  }
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    bodies_[b].minimum += bodies_[b].pairs.back().solve (
+        Eigen::Map<const Vector6> (poses[b].parameters.data()));
+}
+
+void
+Merger::connect (const std::vector<SegmentLink>& links)
+{
+  for (const SegmentLink& link : links) {
+    const int a = state_.body_of[link.first];
+    const int b = state_.body_of[link.second];
+    if (a == b)
+      continue;
+    bodies_[a].neighbors.insert (b);
+    bodies_[b].neighbors.insert (a);
+  }
+  for (std::size_t a = 0; a < bodies_.size(); ++a)
+    for (const int b : bodies_[a].neighbors)
+      if (static_cast<int> (a) < b)
+        consider (static_cast<int> (a), b);
+}
+
+void
+Merger::consider (int a, int b)
+{
+  const BodyQuadratics& first = bodies_[a];
+  const BodyQuadratics& second = bodies_[b];
+  const double costs = increase (first, second);
+  const double allowed =
+      strictness_ *
+      (rules_.allowance + rules_.per_point * std::min (first.points, second.points));
+  if (costs < allowed)
+    queue_.push ({costs, a, b, first.version, second.version});
+}
+
+void
+Merger::merge (int a, int b)
+{
+  BodyQuadratics merged = sum (bodies_[a], bodies_[b]);
+  merged.version = bodies_[a].version + 1;
+  merged.neighbors = bodies_[a].neighbors;
+  merged.neighbors.insert (bodies_[b].neighbors.begin(), bodies_[b].neighbors.end());
+  merged.neighbors.erase (a);
+  merged.neighbors.erase (b);
+  bodies_[b].alive = false;
+  joined_[b] = a;
+  for (const int n : merged.neighbors) {
+    bodies_[n].neighbors.erase (b);
+    bodies_[n].neighbors.insert (a);
+  }
+  bodies_[a] = std::move (merged);
+  for (const int n : bodies_[a].neighbors)
+    consider (std::min (a, n), std::max (a, n));
+}
+
+/** Offers every body to the largest ones, which it may not touch: furniture in front of
+ * a wall has only itself as neighbours. \return whether there is anything to merge */
+bool
+Merger::considerLargest()
+{
+  std::vector<int> order;
+  for (std::size_t b = 0; b < bodies_.size(); ++b)
+    if (bodies_[b].alive)
+      order.push_back (static_cast<int> (b));
+  std::stable_sort (order.begin(), order.end(), [&] (int a, int b) {
+    return bodies_[a].points > bodies_[b].points;
+  });
+  for (std::size_t i = 0; i < order.size(); ++i)
+    for (std::size_t j = 0; j < std::min<std::size_t> (i, kLargest); ++j)
+      consider (std::min (order[i], order[j]), std::max (order[i], order[j]));
+  return !queue_.empty();
+}
+
+void
+Merger::mergeQueued()
+{
+  while (!queue_.empty()) {
+    const Edge e = queue_.top();
+    queue_.pop();
+    const BodyQuadratics& first = bodies_[e.first];
+    const BodyQuadratics& second = bodies_[e.second];
+    if (first.alive && second.alive && first.version == e.first_version &&
+        second.version == e.second_version)
+      merge (e.first, e.second);
+  }
+}
+
+void
+Merger::writeBack()
+{
+  for (int& body : state_.body_of)
+    while (joined_[body] != body)
+      body = joined_[body];
+  const std::vector<int> before = state_.renumberBodies();
+  for (std::size_t b = 0; b < before.size(); ++b)
+    if (bodies_[before[b]].version > 0)
+      for (std::size_t p = 0; p < terms_.size(); ++p)
+        Eigen::Map<Vector6> (state_.poses[terms_[p].pair][b].parameters.data()) =
+            bodies_[before[b]].pairs[p].best;
+}
+
+void
+Merger::run()
+{
+  mergeQueued();
+  while (considerLargest())
+    mergeQueued();
+  writeBack();
+}
+
+} // namespace
+
+void
+mergeBodies (const std::vector<PairTerms>& terms,
+             int frames,
+             const std::vector<SegmentLink>& links,
+             const MergeRules& rules,
+             WindowState& state)
+{
+  Merger (terms, frames, links, rules, state).run();
+}
+
+} // namespace pcl_msf

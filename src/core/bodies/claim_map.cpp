@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/bodies/claim_map.h"
+
+#include <Eigen/Core>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr int kCell = 3;               // pixels
+constexpr int kClaimsPerSegment = 128; // about one for four pixels
+constexpr float kLooksAlike = 2.5f;    // standard deviations
+
+/** Carries points of a segment to the current frame. */
+class Landing {
+public:
+  Landing (const DataTerm& data, const RigidPose& pose)
+  : p_ (data.pixels())
+  , image_ (data.image())
+  , rotation_ (pose.rotation().cast<float>())
+  , translation_ (pose.translation().cast<float>())
+  {}
+
+  /** Whether point i lands on the surface that the frame shows; sets where. */
+  bool
+  onSurface (int i)
+  {
+    const Eigen::Vector3f q =
+        rotation_ * Eigen::Vector3f (p_.x[i], p_.y[i], p_.z[i]) + translation_;
+    if (!(q.z() > 1e-3f))
+      return false;
+    at_ = projectTo (image_, q);
+    if (!(at_.u > -0.5f && at_.v > -0.5f &&
+          at_.u < static_cast<float> (image_.width) - 0.5f &&
+          at_.v < static_cast<float> (image_.height) - 0.5f))
+      return false;
+    const float seen = inverseDepthAt (image_, at_);
+    return seen > 0.0f && std::abs (seen - 1.0f / q.z()) < p_.depth_tolerance[i];
+  }
+
+  /** Whether the surface there looks like the point. */
+  bool
+  alike (int i) const
+  {
+    const ImagePlace inside{
+        std::clamp (at_.u, 0.0f, static_cast<float> (image_.width) - 1.001f),
+        std::clamp (at_.v, 0.0f, static_cast<float> (image_.height) - 1.001f)};
+    return std::abs (intensityAt (image_, inside) - p_.intensity[i]) *
+               p_.brightness_scale[i] <
+           kLooksAlike;
+  }
+
+  const ImagePlace&
+  place () const
+  {
+    return at_;
+  }
+
+private:
+  const SegmentPixels& p_;
+  const kernel::Image image_;
+  const Eigen::Matrix3f rotation_;
+  const Eigen::Vector3f translation_;
+  ImagePlace at_;
+};
+
+} // namespace
+
+ClaimMap::ClaimMap (const DataTerm& data, const MotionState& state)
+: state_ (state)
+, points_ (state.poses.size(), 0)
+, columns_ (data.image().width / kCell + 1)
+, cells_ (static_cast<std::size_t> (columns_) * (data.image().height / kCell + 1))
+{
+  const SegmentPixels& p = data.pixels();
+  for (int k = 0; k < p.segments(); ++k)
+    points_[state.body_of[k]] += p.size (k);
+  for (int k = 0; k < p.segments(); ++k) {
+    Landing landing (data, state.poseOf (k));
+    const int step = std::max (1, p.size (k) / kClaimsPerSegment);
+    for (int i = p.begin[k]; i < p.begin[k + 1]; i += step)
+      if (landing.onSurface (i) && landing.alike (i))
+        claim (k, cellOf (landing.place()));
+  }
+}
+
+int
+ClaimMap::cellOf (const ImagePlace& at) const
+{
+  return (static_cast<int> (at.v + 0.5f) / kCell) * columns_ +
+         static_cast<int> (at.u + 0.5f) / kCell;
+}
+
+bool
+ClaimMap::larger (int segment, int other) const
+{
+  if (other < 0)
+    return true;
+  const int a = points_[state_.body_of[segment]];
+  const int b = points_[state_.body_of[other]];
+  return a != b ? a > b : segment < other;
+}
+
+void
+ClaimMap::claim (int segment, int cell)
+{
+  auto& claims = cells_[cell].segment;
+  if (segment == claims[0] || segment == claims[1])
+    return;
+  if (larger (segment, claims[0])) {
+    claims[1] = claims[0];
+    claims[0] = segment;
+  }
+  else if (larger (segment, claims[1]))
+    claims[1] = segment;
+}
+
+double
+ClaimMap::takenShare (const DataTerm& sample, int segment, int body) const
+{
+  const SegmentPixels& p = sample.pixels();
+  Landing landing (sample, state_.poses[body]);
+  int taken = 0;
+  for (int i = p.begin[segment]; i < p.begin[segment + 1]; ++i) {
+    if (!landing.onSurface (i))
+      continue;
+    for (const int other : cells_[cellOf (landing.place())].segment)
+      if (other >= 0 && other != segment &&
+          points_[state_.body_of[other]] > points_[body]) {
+        ++taken;
+        break;
+      }
+  }
+  return static_cast<double> (taken) / std::max (1, p.size (segment));
+}
+
+} // namespace pcl_msf

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/data/correlation_area.h"
+
+#include "core/data/point_residuals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr int kTile = 16;             // pixels of level 0; wider than sensors' windows
+constexpr int kLeastTile = 2;         // pixels of the level
+constexpr int kLeastTiles = 12;       // that a median is taken of
+constexpr int kBodies = 3;            // in one square
+constexpr double kMedianOf1 = 0.4549; // of chi-square with one degree of freedom
+constexpr double kMedianOf2 = 0.6931; // half of that with two, its mean being 1
+
+/** A body's part of a square. */
+struct Tile {
+  int body{-1};
+  int points{0};
+  double icp{0.0}, icp_weight{0.0}; // sum of w r and of w
+  double bright_u{0.0}, bright_v{0.0}, bright_weight{0.0};
+};
+
+/** Ratios of squared sums to what they would be, with the information as weight. */
+using Ratios = std::vector<std::pair<double, double>>;
+
+double
+weightedMedian (Ratios& ratios)
+{
+  std::sort (ratios.begin(), ratios.end());
+  double total = 0.0;
+  for (const auto& ratio : ratios)
+    total += ratio.second;
+  double sum = 0.0;
+  for (const auto& ratio : ratios) {
+    sum += ratio.second;
+    if (sum >= 0.5 * total)
+      return ratio.first;
+  }
+  return 0.0;
+}
+
+class TileSums {
+public:
+  TileSums (const DataTerm& data, int side)
+  : data_ (data)
+  , image_ (data.image())
+  , side_ (side)
+  , columns_ ((image_.width + side - 1) / side)
+  , tiles_ (static_cast<std::size_t> (columns_) * ((image_.height + side - 1) / side) *
+            kBodies)
+  {}
+
+  void
+  add (int body, int point, const PointResiduals& residuals);
+  void
+  collect (Ratios& brightness, Ratios& icp) const;
+
+private:
+  Tile*
+  tileOf (int pixel, int body);
+
+  const DataTerm& data_;
+  const kernel::Image image_;
+  const int side_;
+  const int columns_;
+  std::vector<Tile> tiles_;
+};
+
+/** Null for bodies of a square beyond the first few. */
+Tile*
+TileSums::tileOf (int pixel, int body)
+{
+  const int column = pixel % image_.width / side_;
+  const int row = pixel / image_.width / side_;
+  Tile* tile = &tiles_[(static_cast<std::size_t> (row) * columns_ + column) * kBodies];
+  for (int i = 0; i < kBodies; ++i, ++tile)
+    if (tile->body == body || tile->body < 0) {
+      tile->body = body;
+      return tile;
+    }
+  return nullptr;
+}
+
+void
+TileSums::add (int body, int point, const PointResiduals& residuals)
+{
+  const SegmentPixels& p = data_.pixels();
+  Tile* tile = tileOf (p.pixel[point], body);
+  if (!tile)
+    return;
+  ++tile->points;
+  const float limit = data_.rules().huber;
+  const auto weight = [limit] (float r) {
+    return std::min (1.0f, limit / std::max (std::abs (r), 1e-6f)); // of Eq. 7
+  };
+  if (p.icp_scale[point] > 0.0f) {
+    const float w = weight (residuals.icp);
+    tile->icp += w * residuals.icp;
+    tile->icp_weight += w;
+  }
+  const ImagePlace& at = residuals.at;
+  const bool inside = at.u >= 0.5f && at.v >= 0.5f &&
+                      at.u < static_cast<float> (image_.width) - 1.5f &&
+                      at.v < static_cast<float> (image_.height) - 1.5f;
+  if (!(p.brightness_scale[point] > 0.0f) || !inside)
+    return;
+  const float w = weight (residuals.brightness);
+  const float scale = p.brightness_scale[point];
+  const float gu = scale * (intensityAt (image_, {at.u + 0.5f, at.v}) -
+                            intensityAt (image_, {at.u - 0.5f, at.v}));
+  const float gv = scale * (intensityAt (image_, {at.u, at.v + 0.5f}) -
+                            intensityAt (image_, {at.u, at.v - 0.5f}));
+  tile->bright_u += w * residuals.brightness * gu;
+  tile->bright_v += w * residuals.brightness * gv;
+  tile->bright_weight += w * (gu * gu + gv * gv);
+}
+
+void
+TileSums::collect (Ratios& brightness, Ratios& icp) const
+{
+  for (const Tile& tile : tiles_) {
+    if (4 * tile.points < side_ * side_)
+      continue;
+    if (tile.icp_weight > 0.0)
+      icp.emplace_back (tile.icp * tile.icp / tile.icp_weight, tile.icp_weight);
+    const double sum = tile.bright_u * tile.bright_u + tile.bright_v * tile.bright_v;
+    if (tile.bright_weight > 0.0)
+      brightness.emplace_back (sum / tile.bright_weight, tile.bright_weight);
+  }
+}
+
+} // namespace
+
+CorrelationAreas
+measureCorrelationAreas (const std::vector<PairTerms>& terms,
+                         const WindowState& state,
+                         int level,
+                         const CorrelationAreas& before)
+{
+  Ratios brightness;
+  Ratios icp;
+  for (const PairTerms& pair : fromReference (terms)) {
+    TileSums sums (*pair.all, std::max (kLeastTile, kTile >> level));
+    const int segments = pair.all->pixels().segments();
+    for (int k = 0; k < segments; ++k) {
+      const int body = state.body_of[k];
+      forEachSeen (
+          *pair.all,
+          state.poses[pair.pair][body],
+          k,
+          1,
+          [&] (int point, const PointResiduals& r) { sums.add (body, point, r); });
+    }
+    sums.collect (brightness, icp);
+  }
+  const double pixels = 1 << (2 * level); // of level 0 in one of the level
+  const auto area = [pixels] (Ratios& ratios, double median, double otherwise) {
+    if (ratios.size() < kLeastTiles)
+      return otherwise;
+    return std::max (1.0, pixels * weightedMedian (ratios) / median);
+  };
+  return {area (brightness, kMedianOf2, before.brightness),
+          area (icp, kMedianOf1, before.icp)};
+}
+
+} // namespace pcl_msf

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/data/data_kernel.h"
+#include "core/motion/motion_state.h"
+#include "core/segments/segment_pixels.h"
+#include <pcl_msf/parameters.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief What a segment's points say about its pose at the point of linearization. */
+struct SegmentQuadratic {
+  Matrix6 information{Matrix6::Zero()}; ///< A = sum w J' J, pose parameters
+  Vector6 gradient{Vector6::Zero()};    ///< b = sum w J' r
+  double brightness_cost{0.0};
+  double icp_cost{0.0};
+  double
+  cost () const
+  {
+    return brightness_cost + icp_cost;
+  }
+};
+
+/** \brief Loss and weights of the data terms, normalized by their residual counts. */
+kernel::Rules
+makeRules (const EnergyParameters& energy, const SegmentPixels& pixels);
+
+/** \brief Energy times this = sum of half squared deviations over independent
+ * residuals. */
+double
+residualScale (const EnergyParameters& energy, const SegmentPixels& pixels);
+
+/** \brief The frame's level as the kernels read it: intensity and inverse depth. */
+class Texture {
+public:
+  explicit Texture (const FrameLevel& level);
+  kernel::Image
+  image () const;
+
+private:
+  cv::Mat texels_; ///< CV_32FC2
+  PinholeCamera camera_;
+};
+
+/** \brief Brightness and projective ICP terms (Eq. 6 to 9) of one pair of frames on one
+ * level: one sweep over all points, parallel over segments.
+ *
+ * Deterministic: each segment is summed by one thread, in raster order.
+ */
+class DataTerm {
+public:
+  /** The first finds correspondences, the next two keep those of the last time, in
+   * single and double precision. */
+  enum class Pass { Linearize, LinearizeKept, LinearizeKeptInDouble, Cost };
+
+  DataTerm (const SegmentPixels& pixels,
+            const Texture& texture,
+            const kernel::Rules& rules,
+            int threads);
+
+  /** \brief Evaluates all segments at a state's poses. */
+  void
+  sweep (const MotionState& state, Pass pass);
+
+  const SegmentQuadratic&
+  of (int segment) const
+  {
+    return quadratics_[segment];
+  }
+
+  const SegmentPixels&
+  pixels () const
+  {
+    return pixels_;
+  }
+
+  /** \brief Pose at which a segment's correspondences were found: its rotation carries
+   * the reference's normals. */
+  const RigidPose&
+  frozenPose (int segment) const
+  {
+    return frozen_[segment];
+  }
+
+  /** \brief Bits of kernel::ActiveBits per point. */
+  const std::vector<std::uint8_t>&
+  active () const
+  {
+    return active_;
+  }
+  const std::vector<float>&
+  planeOffsets () const
+  {
+    return plane_offset_;
+  }
+  const kernel::Rules&
+  rules () const
+  {
+    return rules_;
+  }
+  /** \brief Weighs from now on by other rules; the last sweep's sums are not changed.
+   */
+  void
+  setRules (const kernel::Rules& rules)
+  {
+    rules_ = rules;
+  }
+  kernel::Image
+  image () const
+  {
+    return image_;
+  }
+
+  /** \brief What a pose would cost. */
+  struct Probe {
+    double cost{0.0};   ///< truncated; share of the energy
+    double hidden{0.0}; ///< share of the residuals that are hidden, [0, 1]
+    double weight{0.0}; ///< of all residuals; cost / weight is the mean per residual
+  };
+
+  /** \brief Truncated cost of a segment at a pose, with fresh visibility.
+   * Thread-safe. */
+  Probe
+  probe (int segment, const RigidPose& pose) const;
+
+  /** \brief Weight of all residuals of a segment. */
+  double
+  totalWeight (int segment) const
+  {
+    return pixels_.size (segment) *
+           ((pixels_.brightness_count > 0 ? rules_.brightness_weight : 0.0) +
+            (pixels_.icp_count > 0 ? rules_.icp_weight : 0.0));
+  }
+
+  /** \brief What a hidden residual costs more when nothing vouches for the pose. */
+  double
+  unsupportedCost () const
+  {
+    return rules_.conflict_cost - rules_.occluded_cost;
+  }
+
+private:
+  kernel::Points
+  points (int segment) const;
+  void
+  evaluate (int segment, const RigidPose& pose, Pass pass);
+
+  const SegmentPixels& pixels_;
+  kernel::Image image_;
+  kernel::Rules rules_;
+  int threads_;
+  std::vector<float> plane_offset_;
+  std::vector<std::uint8_t> active_;
+  std::vector<RigidPose> frozen_; ///< per segment, pose of the last renewal
+  std::vector<SegmentQuadratic> quadratics_;
+};
+
+} // namespace pcl_msf

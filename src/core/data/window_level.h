@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "core/data/data_term.h"
+#include "core/data/pair_terms.h"
+#include "core/motion/motion_state.h"
+#include "core/window/frame_pairs.h"
+#include <pcl_msf/rgbd_frame.h>
+
+#include <memory>
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief What is the same for all levels of a window of two or more frames. */
+struct WindowScene {
+  const std::vector<RgbdFrame>& frames;
+  const FramePairs& pairs;
+  int segments;
+  int threads;
+  std::vector<int> used{};                  ///< pairs that take part, ascending
+  std::vector<SegmentLink> links{};         ///< reference frame
+  std::vector<Eigen::Vector3d> centroids{}; ///< per segment, reference frame
+  NoiseModel noise{};
+  /** Frames differ in exposure. Either the reference's points are brought to the other
+   * frame's ... */
+  BrightnessChange change{};
+  /** ... or, as a window of several pairs needs it, all frames to the reference's: per
+   * frame, its intensity from the reference's; empty leaves them as they are. */
+  std::vector<BrightnessChange> exposure{};
+  double falloff{0.0};   ///< of brightness towards the corners, see fitFalloff
+  cv::Mat fused_depth{}; ///< of the reference, level 0, see fuseInverseDepth; or empty
+};
+
+/** \brief How points of a level are made. */
+PointOptions
+pointOptions (const WindowScene& scene, int level);
+
+/** \brief A sample of a level's points, for comparing poses. */
+SegmentPixels
+probePoints (const FrameLevel& level,
+             const cv::Mat& labels,
+             int segments,
+             PointOptions options);
+
+/** \brief One pyramid level of a window: every frame's points grouped by the segments
+ * carried there, every frame's texture, shared by all pairs; a data term per pair. */
+class WindowLevel {
+public:
+  /** \param labels per frame, of this level; empty for frames that no pair starts from
+   */
+  WindowLevel (const WindowScene& scene,
+               int level,
+               const std::vector<cv::Mat>& labels,
+               const EnergyParameters& energy);
+  WindowLevel (const WindowLevel&) = delete;
+  WindowLevel&
+  operator= (const WindowLevel&) = delete;
+
+  /** \brief The pairs that take part, ascending. */
+  const std::vector<int>&
+  used () const
+  {
+    return scene_.used;
+  }
+  /** \brief The data term of a used pair. */
+  const DataTerm&
+  data (int pair) const
+  {
+    return *data_[pair];
+  }
+  /** \brief A sample of the points of a pair from the reference, for comparing poses.
+   */
+  const DataTerm&
+  probes (int pair) const
+  {
+    return *probe_data_[pair];
+  }
+  /** \brief The used pairs, as the steps that form bodies see them. */
+  std::vector<PairTerms>
+  terms () const;
+
+  /** \brief Evaluates every used pair's data term at a state. */
+  void
+  sweep (const WindowState& state, DataTerm::Pass pass);
+
+  /** \brief Weighs every frame's points of large bodies by how well they fit; see
+   * body_noise.h. */
+  void
+  sharpenRigidBodies (const WindowState& state);
+
+  /** \brief Weighs the residuals anew by the scene's correlation areas, and evaluates
+   * at a state. */
+  void
+  reweigh (const WindowState& state);
+
+  double
+  focalLength () const
+  {
+    return focal_length_;
+  }
+  const SegmentPixels&
+  pixels (int frame) const
+  {
+    return pixels_[frame];
+  }
+
+private:
+  void
+  prepareFrame (int frame, int level, const cv::Mat& labels, int threads);
+
+  const WindowScene& scene_;
+  const EnergyParameters energy_;
+  std::vector<SegmentPixels> pixels_;                 ///< per frame
+  SegmentPixels probes_;                              ///< of the reference
+  std::vector<std::unique_ptr<Texture>> textures_;    ///< per frame
+  std::vector<std::unique_ptr<DataTerm>> data_;       ///< per pair
+  std::vector<std::unique_ptr<DataTerm>> probe_data_; ///< per pair
+  double focal_length_;
+};
+
+} // namespace pcl_msf

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/energy/body_shapes.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+
+namespace pcl_msf {
+
+std::vector<BodyShape>
+bodyShapes (const SegmentPixels& points, const std::vector<int>& body_of, int bodies)
+{
+  std::vector<Eigen::Matrix3d> moment (bodies, Eigen::Matrix3d::Zero());
+  std::vector<BodyShape> shapes (bodies);
+  std::vector<int> count (bodies, 0);
+  for (int k = 0; k < points.segments(); ++k) {
+    const int b = body_of[k];
+    shapes[b].center += points.size (k) * points.centroid[k];
+    count[b] += points.size (k);
+  }
+  for (int b = 0; b < bodies; ++b)
+    shapes[b].center /= std::max (1, count[b]);
+  for (int k = 0; k < points.segments(); ++k)
+    for (int i = points.begin[k]; i < points.begin[k + 1]; ++i) {
+      const Eigen::Vector3d d =
+          Eigen::Vector3d (points.x[i], points.y[i], points.z[i]) -
+          shapes[body_of[k]].center;
+      moment[body_of[k]] += d * d.transpose();
+    }
+  for (int b = 0; b < bodies; ++b) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen (moment[b] /
+                                                                std::max (1, count[b]));
+    shapes[b].spread = eigen.eigenvectors() *
+                       eigen.eigenvalues().cwiseMax (0.0).cwiseSqrt().asDiagonal();
+  }
+  return shapes;
+}
+
+} // namespace pcl_msf

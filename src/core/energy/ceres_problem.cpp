@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/energy/ceres_problem.h"
+
+namespace pcl_msf {
+
+CeresProblem::CeresProblem (Energy& energy, WindowState& state)
+: energy_ (energy)
+, state_ (state)
+, blocks_ (energy.level().used().size(), BodyBlocks (state.body_of, state.bodies()))
+{
+  ceres::Problem::Options options;
+  options.evaluation_callback = this;
+  options.disable_all_safety_checks = true;
+  problem_ = std::make_unique<ceres::Problem> (options);
+  for (std::size_t i = 0; i < blocks_.size(); ++i)
+    blocks_[i].addTo (*problem_, state_.poses[energy_.level().used()[i]]);
+  energy_.addTo (*problem_, state_);
+}
+
+void
+CeresProblem::PrepareForEvaluation (bool evaluate_jacobians, bool)
+{
+  using Pass = DataTerm::Pass;
+  if (!linearized_ || !evaluate_jacobians)
+    energy_.level().sweep (state_, evaluate_jacobians ? Pass::Linearize : Pass::Cost);
+  linearized_ = false;
+  fill (evaluate_jacobians);
+}
+
+void
+CeresProblem::fill (bool with_jacobians)
+{
+  for (std::size_t i = 0; i < blocks_.size(); ++i)
+    blocks_[i].fill (energy_.level().data (energy_.level().used()[i]), with_jacobians);
+}
+
+} // namespace pcl_msf

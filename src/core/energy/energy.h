@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/data/window_level.h"
+#include "core/energy/concatenation_cost.h"
+#include <ceres/problem.h>
+#include <pcl_msf/parameters.h>
+#include <pcl_msf/scene_flow.h>
+
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief Numbers of residuals of each kind: Eq. 15. */
+struct ResidualCounts {
+  int brightness{0};    ///< n_C, over all pairs
+  int icp{0};           ///< n_D, over all pairs
+  int regularizer{0};   ///< links times pairs
+  int prior{0};         ///< links, once
+  int concatenation{0}; ///< segments times non-adjacent pairs
+  int
+  total () const
+  {
+    return brightness + icp + regularizer + prior + concatenation;
+  }
+};
+
+/** \brief The energy of Eq. 13 on one level: data terms and coupling of every pair,
+ * weights and their prior shared, and the concatenation of non-adjacent pairs. With one
+ * pair it is Eq. 5. */
+class Energy {
+public:
+  /** \param state whose bodies the energy is for; its poses tell where the links and
+   * the bodies lie in the other frames */
+  Energy (WindowLevel& level,
+          const WindowScene& scene,
+          const EnergyParameters& parameters,
+          double concatenation_weight,
+          const WindowState& state);
+
+  /** \brief The energy by term; linearizes the data terms at the state. */
+  EnergyCost
+  evaluate (const WindowState& state);
+
+  /** \brief As evaluate, with the data terms of the last sweep. */
+  EnergyCost
+  presentCost (const WindowState& state) const;
+
+  /** \brief Sets every weight to its optimum for the poses of all pairs. */
+  void
+  relaxWeights (WindowState& state) const;
+
+  /** \brief Adds what ties poses to a problem over the state: one block per link
+   * between bodies and pair, whose weight all pairs share and whose prior only the
+   * first pair's block carries; per non-adjacent pair one concatenation per body. */
+  void
+  addTo (ceres::Problem& problem, WindowState& state) const;
+
+  ResidualCounts
+  countResiduals () const;
+
+  WindowLevel&
+  level ()
+  {
+    return level_;
+  }
+
+private:
+  double
+  unit (double depth) const;
+  double
+  priorWeight () const;
+  void
+  addCouplings (ceres::Problem& problem, WindowState& state) const;
+  void
+  carryShapes (const WindowState& state);
+  /** Calls visit (cost, parameter blocks) for every body and non-adjacent pair. */
+  template <typename State, typename Visitor>
+  void
+  forEachConcatenation (State& state, const Visitor& visit) const;
+  double
+  concatenationCost (const WindowState& state) const;
+  std::vector<double>
+  squaredDifferences (const WindowState& state) const;
+
+  WindowLevel& level_;
+  const WindowScene& scene_;
+  const EnergyParameters& parameters_;
+  double concatenation_weight_;
+  std::vector<std::vector<SegmentLink>> links_; ///< per frame that a pair starts from
+  std::vector<int> segments_of_body_;           ///< how many
+  std::vector<std::vector<BodyShape>> shapes_;  ///< per frame, per body; empty when
+                                                ///< all pairs are adjacent
+};
+
+} // namespace pcl_msf

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/frame/brightness_change.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr std::size_t kMinPairs = 100;
+constexpr double kMinSpread = 0.02; // intensity
+constexpr int kRounds = 5;
+constexpr double kInlierMads = 3.0;
+
+double
+median (std::vector<float> values)
+{
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t> (values.size() / 2);
+  std::nth_element (values.begin(), middle, values.end());
+  return *middle;
+}
+
+/** Means and standard deviations of the pairs within the limit. */
+struct Moments {
+  double mean0{0}, mean1{0}, spread0{0}, spread1{0};
+  std::size_t count{0};
+};
+
+Moments
+momentsOfInliers (const std::vector<float>& a,
+                  const std::vector<float>& b,
+                  const std::vector<float>& residual,
+                  double limit)
+{
+  Moments m;
+  double aa = 0.0;
+  double bb = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (residual[i] <= limit) {
+      ++m.count;
+      m.mean0 += a[i];
+      m.mean1 += b[i];
+      aa += static_cast<double> (a[i]) * a[i];
+      bb += static_cast<double> (b[i]) * b[i];
+    }
+  const auto n = static_cast<double> (std::max<std::size_t> (1, m.count));
+  m.mean0 /= n;
+  m.mean1 /= n;
+  m.spread0 = std::sqrt (std::max (0.0, aa / n - m.mean0 * m.mean0));
+  m.spread1 = std::sqrt (std::max (0.0, bb / n - m.mean1 * m.mean1));
+  return m;
+}
+
+} // namespace
+
+BrightnessChange
+fitBrightnessChange (const std::vector<float>& a, const std::vector<float>& b)
+{
+  if (a.size() < kMinPairs)
+    return {};
+  double gain = 1.0;
+  double offset = median (b) - median (a);
+  std::vector<float> residual (a.size());
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t i = 0; i < a.size(); ++i)
+      residual[i] = static_cast<float> (std::abs (gain * a[i] + offset - b[i]));
+    const double limit = std::max (kInlierMads * median (residual), 1e-3);
+    const Moments m = momentsOfInliers (a, b, residual, limit);
+    if (m.count < kMinPairs)
+      return {};
+    const bool contrast = m.spread0 > kMinSpread && m.spread1 > kMinSpread;
+    gain = contrast ? std::clamp (m.spread1 / m.spread0, 0.5, 2.0) : 1.0;
+    offset = m.mean1 - gain * m.mean0;
+  }
+  return {static_cast<float> (gain), static_cast<float> (offset)};
+}
+
+} // namespace pcl_msf

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/result/dense_points.h"
+
+#include "core/base/parallel_for.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr double kLeastStrength = 0.2; // mixing of connections that take part
+constexpr double kReach = 0.5;         // of a segment's side: standard deviation
+
+/** One motion that takes part in moving a segment's points. */
+struct Influence {
+  Eigen::Matrix3f rotation;
+  Eigen::Vector3f translation;
+  float u, v;          ///< centre in the reference image, pixels
+  float inverse_reach; ///< 1 / (2 sigma^2), 1 / pixels^2
+  float strength;      ///< mixing of the connection
+};
+
+Influence
+influenceOf (const SceneFlow& scene, int segment, double strength)
+{
+  const SegmentMotion& motion = scene.segments[segment];
+  const Eigen::Vector2d center = scene.camera.project (motion.centroid);
+  const double reach = kReach * std::sqrt (std::max (16, motion.points));
+  return {motion.current_from_reference.rotation().cast<float>(),
+          motion.current_from_reference.translation().cast<float>(),
+          static_cast<float> (center.x()),
+          static_cast<float> (center.y()),
+          static_cast<float> (0.5 / (reach * reach)),
+          static_cast<float> (strength)};
+}
+
+/** The motions that move each segment's points; its own first. */
+std::vector<std::vector<Influence>>
+findInfluences (const SceneFlow& scene, bool blend)
+{
+  std::vector<std::vector<Influence>> influences (scene.segments.size());
+  std::vector<char> soft (scene.segments.size(), 0);
+  for (std::size_t k = 0; k < influences.size(); ++k)
+    if (scene.segments[k].points > 0)
+      influences[k].push_back (influenceOf (scene, static_cast<int> (k), 1.0));
+  if (!blend)
+    return influences;
+  const auto usable = [&] (int k) {
+    return scene.segments[k].status == MotionStatus::Determined;
+  };
+  for (const SegmentPair& pair : scene.pairs) {
+    const double strength = pair.mixing;
+    if (strength < kLeastStrength)
+      continue;
+    const bool differ = scene.segments[pair.first].current_from_reference.parameters !=
+                        scene.segments[pair.second].current_from_reference.parameters;
+    if (usable (pair.second)) {
+      influences[pair.first].push_back (influenceOf (scene, pair.second, strength));
+      soft[pair.first] |= differ;
+    }
+    if (usable (pair.first)) {
+      influences[pair.second].push_back (influenceOf (scene, pair.first, strength));
+      soft[pair.second] |= differ;
+    }
+  }
+  for (std::size_t k = 0; k < influences.size(); ++k)
+    if (!soft[k])
+      influences[k].resize (std::min<std::size_t> (influences[k].size(), 1));
+  return influences;
+}
+
+Eigen::Vector3f
+move (const std::vector<Influence>& influences,
+      const Eigen::Vector3f& p,
+      float x,
+      float y)
+{
+  if (influences.size() == 1)
+    return influences[0].rotation * p + influences[0].translation;
+  Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+  float weights = 0.0f;
+  for (const Influence& k : influences) {
+    const float dx = x - k.u;
+    const float dy = y - k.v;
+    const float weight =
+        k.strength * std::exp (-(dx * dx + dy * dy) * k.inverse_reach) + 1e-12f;
+    sum += weight * (k.rotation * p + k.translation);
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+/** Writes one point of a segment whose motion is known. */
+void
+writeMotion (const Eigen::Vector3f& point,
+             const Eigen::Vector3f& moved,
+             const PinholeCamera& camera,
+             int x,
+             int y,
+             SceneFlow& result)
+{
+  const Eigen::Vector3f d = moved - point;
+  result.displacement.at<cv::Vec3f> (y, x) = {d.x(), d.y(), d.z()};
+  if (moved.z() <= 1e-3f)
+    return;
+  const Eigen::Vector2d uv = camera.project (moved.cast<double>());
+  result.flow.at<cv::Vec2f> (y, x) = {static_cast<float> (uv.x() - x),
+                                      static_cast<float> (uv.y() - y)};
+}
+
+} // namespace
+
+void
+fillPoints (const DataTerm& data,
+            const PinholeCamera& camera,
+            bool blend,
+            int threads,
+            SceneFlow& result)
+{
+  const SegmentPixels& p = data.pixels();
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const cv::Size size = result.labels.size();
+  result.points = cv::Mat (size, CV_32FC3, cv::Scalar::all (nan));
+  result.displacement = cv::Mat (size, CV_32FC3, cv::Scalar::all (nan));
+  result.flow = cv::Mat (size, CV_32FC2, cv::Scalar::all (nan));
+  const auto influences = findInfluences (result, blend);
+  parallelFor (threads, p.segments(), 8, [&] (int k) {
+    const bool known = result.segments[k].status != MotionStatus::Undetermined;
+    for (int i = p.begin[k]; i < p.begin[k + 1]; ++i) {
+      const int x = p.pixel[i] % size.width;
+      const int y = p.pixel[i] / size.width;
+      const Eigen::Vector3f point (p.x[i], p.y[i], p.z[i]);
+      result.points.at<cv::Vec3f> (y, x) = {p.x[i], p.y[i], p.z[i]};
+      if (known)
+        writeMotion (
+            point,
+            move (influences[k], point, static_cast<float> (x), static_cast<float> (y)),
+            camera,
+            x,
+            y,
+            result);
+    }
+  });
+}
+
+} // namespace pcl_msf

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/data/data_term.h"
+#include <pcl_msf/scene_flow.h>
+
+namespace pcl_msf {
+
+/** \brief Fills in what every point does: points, displacement, flow.
+ *
+ * A point moves with its segment and, where `blend` is on, with the neighbours that the
+ * segment is strongly connected to: a mean of their motions, weighted by the connection
+ * (w^2) and by the distance from their centres in the image. Inside a rigid body that
+ * changes nothing; across a bending surface it takes the steps out.
+ * \param data of level 0, linearized at the result's poses
+ * \param result with labels, segments and pairs */
+void
+fillPoints (const DataTerm& data,
+            const PinholeCamera& target_camera,
+            bool blend,
+            int threads,
+            SceneFlow& result);
+
+} // namespace pcl_msf

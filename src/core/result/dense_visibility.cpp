@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/result/dense_visibility.h"
+
+#include "core/base/parallel_for.h"
+#include "core/data/surface_sample.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr float kToleranceSigmas = 5.0f; // that SegmentPixels::depth_tolerance holds
+constexpr float kMadToSigma = 1.4826f;
+constexpr float kMostWidening = 3.0f;
+constexpr float kMostShare = 0.1f; // of the inverse depth: more tells no surfaces apart
+constexpr int kSurface = 4;        // measurements that make one
+
+/** Where a moved point lands and how it compares with what the frame shows there. */
+struct Landing {
+  bool inside{false};
+  ImagePlace at;
+  float expected{0.0f}; ///< inverse depth of the moved point, 1 / metres
+  float shown{0.0f};    ///< of the frame's surface, 0 = none
+};
+
+/** Inverse depth on one surface, of the nearest pixel where surfaces meet. */
+float
+surfaceAt (const kernel::Image& image, const ImagePlace& at, float tolerance)
+{
+  const float u = std::clamp (at.u, 0.0f, static_cast<float> (image.width - 1));
+  const float v = std::clamp (at.v, 0.0f, static_cast<float> (image.height - 1));
+  const int u0 = std::min (static_cast<int> (u), image.width - 2);
+  const int v0 = std::min (static_cast<int> (v), image.height - 2);
+  const float* const top = image.texels + 2 * (v0 * image.width + u0) + 1;
+  const float* const low = top + 2 * image.width;
+  const auto [least, most] = std::minmax ({top[0], top[2], low[0], low[2]});
+  if (!(least > 0.0f) || !(most - least < tolerance))
+    return inverseDepthAt (image, {u, v});
+  const float a = u - static_cast<float> (u0);
+  const float b = v - static_cast<float> (v0);
+  return (1.0f - b) * ((1.0f - a) * top[0] + a * top[2]) +
+         b * ((1.0f - a) * low[0] + a * low[2]);
+}
+
+Landing
+landingOf (const kernel::Image& image, const cv::Vec3f& moved, float tolerance)
+{
+  Landing landing;
+  if (!(moved[2] > 1e-3f)) // NaN, too
+    return landing;
+  landing.at = projectTo (image, {moved[0], moved[1], moved[2]});
+  landing.inside = landing.at.u >= -0.5f && landing.at.v >= -0.5f &&
+                   landing.at.u <= static_cast<float> (image.width) - 0.5f &&
+                   landing.at.v <= static_cast<float> (image.height) - 0.5f;
+  if (!landing.inside)
+    return landing;
+  landing.expected = 1.0f / moved[2];
+  landing.shown = surfaceAt (
+      image, landing.at, std::min (tolerance, kMostShare * landing.expected));
+  return landing;
+}
+
+/** What the z-test's tolerances are too small by: noise that neighbouring pixels share
+ * is in the residuals only, not in the frames' own estimates. */
+float
+widening (const std::vector<Landing>& landings, const std::vector<float>& tolerance)
+{
+  std::vector<float> sizes;
+  for (std::size_t i = 0; i < landings.size(); ++i) {
+    const float size = std::abs (landings[i].shown - landings[i].expected);
+    if (landings[i].shown > 0.0f && size <= kMostWidening * tolerance[i])
+      sizes.push_back (size / tolerance[i]);
+  }
+  if (sizes.empty())
+    return 1.0f;
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t> (sizes.size() / 2);
+  std::nth_element (sizes.begin(), middle, sizes.end());
+  return std::clamp (kToleranceSigmas * kMadToSigma * *middle, 1.0f, kMostWidening);
+}
+
+/** Measurements in a point's surroundings, and those of them that agree with it. */
+struct Support {
+  int measured{0};
+  int agreeing{0};
+};
+
+/** \param inverse_depth of a pixel, <= 0 or NaN: none */
+template <typename InverseDepth>
+Support
+supportOf (cv::Size size,
+           cv::Point center,
+           float expected,
+           float tolerance,
+           const InverseDepth& inverse_depth)
+{
+  Support support;
+  const cv::Rect around (center.x - 1, center.y - 1, 3, 3);
+  const cv::Rect inside = around & cv::Rect ({}, size);
+  for (int y = inside.y; y < inside.y + inside.height; ++y)
+    for (int x = inside.x; x < inside.x + inside.width; ++x) {
+      const float w = inverse_depth (y, x);
+      if (!(w > 0.0f))
+        continue;
+      ++support.measured;
+      support.agreeing += std::abs (w - expected) <= tolerance ? 1 : 0;
+    }
+  return support;
+}
+
+/** Do enough of the frame's measurements around a landing agree with the point? One
+ * that stands alone in the reference asks for no more in the frame.
+ * \param pixel of the point in the reference */
+bool
+liesOnSurface (const kernel::Image& image,
+               const Landing& landing,
+               float tolerance,
+               const cv::Mat& points,
+               int pixel)
+{
+  const cv::Point at (static_cast<int> (std::lround (landing.at.u)),
+                      static_cast<int> (std::lround (landing.at.v)));
+  const Support there = supportOf (
+      {image.width, image.height}, at, landing.expected, tolerance, [&] (int y, int x) {
+        return image.texels[2 * (y * image.width + x) + 1];
+      });
+  const int asked = std::min (kSurface, there.measured);
+  if (there.agreeing >= asked)
+    return true;
+  const cv::Point own (pixel % points.cols, pixel / points.cols);
+  const auto before = [&] (int y, int x) {
+    return 1.0f / points.at<cv::Vec3f> (y, x)[2];
+  };
+  const Support here =
+      supportOf (points.size(), own, before (own.y, own.x), tolerance, before);
+  return there.agreeing >= std::min (asked, here.agreeing);
+}
+
+/** \param pixel of the point in the reference */
+Visibility
+visibilityOf (const kernel::Image& image,
+              const Landing& landing,
+              float tolerance,
+              const cv::Mat& points,
+              int pixel)
+{
+  if (!landing.inside)
+    return OutOfView;
+  if (!(landing.shown > 0.0f))
+    return Unknown;
+  const float within = std::min (tolerance, kMostShare * landing.expected);
+  const float behind = landing.shown - landing.expected;
+  if (behind > within)
+    return Occluded;
+  if (behind < -within)
+    return Unknown;
+  return liesOnSurface (image, landing, within, points, pixel) ? Visible : Unknown;
+}
+
+} // namespace
+
+void
+fillVisibility (const DataTerm& data, int threads, SceneFlow& result)
+{
+  const SegmentPixels& p = data.pixels();
+  const kernel::Image image = data.image();
+  const int count = static_cast<int> (p.pixel.size());
+  result.visibility = cv::Mat (result.labels.size(), CV_8UC1, cv::Scalar (NoDepth));
+  std::vector<Landing> landings (count);
+  parallelFor (threads, count, 4096, [&] (int i) {
+    landings[i] = landingOf (image,
+                             result.points.ptr<cv::Vec3f>()[p.pixel[i]] +
+                                 result.displacement.ptr<cv::Vec3f>()[p.pixel[i]],
+                             p.depth_tolerance[i]);
+  });
+  const float wider = widening (landings, p.depth_tolerance);
+  parallelFor (threads, p.segments(), 8, [&] (int k) {
+    SegmentMotion& segment = result.segments[k];
+    const bool known = segment.status != MotionStatus::Undetermined;
+    segment.visible_points = 0;
+    for (int i = p.begin[k]; i < p.begin[k + 1]; ++i) {
+      const Visibility seen = known ? visibilityOf (image,
+                                                    landings[i],
+                                                    wider * p.depth_tolerance[i],
+                                                    result.points,
+                                                    p.pixel[i])
+                                    : Unknown;
+      result.visibility.ptr<unsigned char>()[p.pixel[i]] = seen;
+      segment.visible_points += seen == Visible ? 1 : 0;
+    }
+  });
+}
+
+} // namespace pcl_msf

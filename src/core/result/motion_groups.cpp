@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/result/motion_groups.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr double kTogether = 0.95; // lifting weight that makes a motion group
+constexpr double kSoft = 0.999;    // mixing that does
+constexpr int kSmallBody = 8;      // segments that a body of a soft surface has
+
+/** Joins bodies over surviving connections, and small ones that a soft surface bridges:
+ * motion groups. Joints of large rigid bodies stay apart. */
+std::vector<int>
+groupBodies (const MotionState& state, const std::vector<SegmentPair>& pairs)
+{
+  std::vector<int> group (state.poses.size());
+  std::iota (group.begin(), group.end(), 0);
+  const auto root = [&] (int b) {
+    while (group[b] != b)
+      b = group[b];
+    return b;
+  };
+  std::vector<int> segments (state.poses.size(), 0);
+  for (const int b : state.body_of)
+    ++segments[b];
+  const auto small = [&] (int segment) {
+    return segments[state.body_of[segment]] <= kSmallBody;
+  };
+  for (const SegmentPair& pair : pairs)
+    if (pair.weight >= kTogether ||
+        (pair.mixing >= kSoft && small (pair.first) && small (pair.second))) {
+      const int a = root (state.body_of[pair.first]);
+      const int b = root (state.body_of[pair.second]);
+      group[std::max (a, b)] = std::min (a, b);
+    }
+  for (int& g : group)
+    g = root (g);
+  return group;
+}
+
+/** Points per body or group. */
+std::vector<int>
+countPoints (const std::vector<SegmentMotion>& segments, const std::vector<int>& of)
+{
+  std::vector<int> points (of.empty() ? 0
+                                      : 1 + *std::max_element (of.begin(), of.end()));
+  for (std::size_t k = 0; k < segments.size(); ++k)
+    points[of[k]] += segments[k].points;
+  return points;
+}
+
+} // namespace
+
+void
+numberGroups (const MotionState& state, SceneFlow& result)
+{
+  const std::vector<int> group_of_body = groupBodies (state, result.pairs);
+  std::vector<int> group_of (state.body_of.size());
+  for (std::size_t k = 0; k < group_of.size(); ++k)
+    group_of[k] = group_of_body[state.body_of[k]];
+  const std::vector<int> points = countPoints (result.segments, group_of);
+  std::vector<int> order (points.size());
+  std::iota (order.begin(), order.end(), 0);
+  std::stable_sort (
+      order.begin(), order.end(), [&] (int a, int b) { return points[a] > points[b]; });
+  std::vector<int> rank (points.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    rank[order[i]] = static_cast<int> (i);
+  const std::vector<int> body_points = countPoints (result.segments, state.body_of);
+  int largest = -1;
+  for (std::size_t k = 0; k < group_of.size(); ++k) {
+    result.segments[k].body = rank[group_of[k]];
+    result.bodies = std::max (result.bodies, result.segments[k].body + 1);
+    const int body = state.body_of[k];
+    if (result.segments[k].body == 0 &&
+        (largest < 0 || body_points[body] > body_points[largest]))
+      largest = body;
+  }
+  result.dominant_body = largest < 0 ? -1 : 0;
+  if (largest >= 0)
+    result.dominant_motion = state.poses[largest];
+}
+
+} // namespace pcl_msf

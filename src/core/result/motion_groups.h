@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/motion/motion_state.h"
+#include <pcl_msf/scene_flow.h>
+
+namespace pcl_msf {
+
+/** \brief Numbers the motion groups by size and finds the dominant motion: that of the
+ * largest rigid body in the largest group. \param result with segments and pairs; gets
+ * the segments' groups and the dominant motion */
+void
+numberGroups (const MotionState& state, SceneFlow& result);
+
+} // namespace pcl_msf

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/result/outcome.h"
+
+#include "core/result/overlap.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr int kFewPoints = 20;      // three residuals per parameter of a pose
+constexpr double kFew = 0.02;       // share of the moved points
+constexpr double kHardlyAny = 0.15; // share of those that land on depth
+constexpr double kMostly = 0.5;     // share of the points with depth
+constexpr double kNoSurface = 0.1;  // noise as a share of the mean inverse depth
+constexpr int kContrasts = 100;     // that say something
+constexpr double kSamePlace = 0.7;  // alike; chance is a half
+
+bool
+isDetermined (const SceneFlow& flow)
+{
+  return std::any_of (
+      flow.segments.begin(), flow.segments.end(), [] (const SegmentMotion& s) {
+        return s.status != MotionStatus::Undetermined;
+      });
+}
+
+/** Neighbouring measurements have nothing to do with each other. */
+bool
+isNoise (const RgbdFrame& frame)
+{
+  const cv::Mat& inverse_depth = frame.levels()[0].inverse_depth;
+  const double mean = cv::mean (inverse_depth, inverse_depth > 0.0f)[0];
+  return frame.inverseDepthNoise() > kNoSurface * mean;
+}
+
+/** Nothing is known: no motion is shown. */
+void
+forgetMotion (SceneFlow& flow)
+{
+  const auto unknown = cv::Scalar::all (std::numeric_limits<double>::quiet_NaN());
+  flow.displacement.setTo (unknown);
+  flow.flow.setTo (unknown);
+  flow.visibility.setTo (Unknown, flow.visibility != static_cast<int> (NoDepth));
+  for (SegmentMotion& segment : flow.segments) {
+    segment.status = MotionStatus::Undetermined;
+    segment.visible_points = 0;
+  }
+  flow.dominant_body = -1;
+  flow.dominant_motion = RigidPose();
+}
+
+std::string
+percent (double part, double whole)
+{
+  return std::to_string (static_cast<int> (100.0 * part / std::max (1.0, whole))) +
+         " %";
+}
+
+Judgement
+judgeOverlap (const Overlap& o)
+{
+  const double few = std::max<double> (kFewPoints, kFew * o.moved);
+  if (o.landed < few)
+    return {StopReason::NothingDetermined,
+            "no motion could be determined: only " + std::to_string (o.landed) +
+                " of " + std::to_string (o.moved) +
+                " points land where the other frame has depth: give frames that "
+                "overlap and more depth"};
+  if (o.found < few || o.found < kHardlyAny * o.landed)
+    return {StopReason::DifferentPlaces,
+            "the frames show different places: only " + percent (o.found, o.landed) +
+                " of the points that land on the other frame's depth are found there; "
+                "give frames that overlap, or a guess"};
+  if (o.contrasts >= kContrasts && o.alike < kSamePlace * o.contrasts)
+    return {StopReason::DifferentPlaces,
+            "the frames show different places: only " + percent (o.alike, o.contrasts) +
+                " of the texture fits, and half of it does by chance; give frames that "
+                "overlap, or a guess"};
+  return {};
+}
+
+} // namespace
+
+StopReason
+endOfSolve (bool settled, bool failed)
+{
+  if (failed)
+    return StopReason::NumericalFailure;
+  return settled ? StopReason::Converged : StopReason::IterationLimit;
+}
+
+Judgement
+judgeMotion (const RgbdFrame& reference,
+             const RgbdFrame& current,
+             double intensity_noise,
+             SceneFlow& flow)
+{
+  const Judgement nothing{StopReason::NothingDetermined,
+                          "no segment's motion could be determined: a frame shows too "
+                          "little texture and shape (is the lens covered?), or they "
+                          "show nothing in common"};
+  Judgement judgement = nothing;
+  if (isDetermined (flow)) {
+    const Overlap overlap = measureOverlap (reference, current, intensity_noise, flow);
+    judgement = judgeOverlap (overlap);
+    if (judgement.objection == StopReason::NotRun &&
+        (isNoise (reference) || isNoise (current)))
+      judgement = {StopReason::DifferentPlaces,
+                   "the frames show different places: the depth of one is noise, in "
+                   "which no surface is found"};
+    // The little that seemed determined is not found either.
+    if (judgement.objection == StopReason::DifferentPlaces &&
+        overlap.moved < kMostly * overlap.points)
+      judgement = nothing;
+  }
+  if (judgement.objection == StopReason::NothingDetermined)
+    forgetMotion (flow);
+  return judgement;
+}
+
+void
+conclude (StopReason cut_short,
+          const std::vector<Judgement>& judgements,
+          Report& report)
+{
+  const bool ran = cut_short == StopReason::NotRun &&
+                   report.stop_reason != StopReason::NumericalFailure;
+  if (cut_short != StopReason::NotRun)
+    report.stop_reason = cut_short;
+  if (report.stop_reason == StopReason::NumericalFailure)
+    report.message = "the solver could not make a step";
+  for (const Judgement& j : judgements) {
+    if (j.objection == StopReason::NotRun)
+      continue;
+    if (ran)
+      report.stop_reason = j.objection;
+    report.message =
+        (j.frame < 0 ? "" : "frame " + std::to_string (j.frame) + " of the window: ") +
+        j.why;
+    break;
+  }
+  report.converged = report.stop_reason == StopReason::Converged ||
+                     report.stop_reason == StopReason::IterationLimit;
+}
+
+} // namespace pcl_msf

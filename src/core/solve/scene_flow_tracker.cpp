@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/segments/label_use.h"
+#include "core/solve/window_solve.h"
+#include <pcl_msf/errors.h>
+#include <pcl_msf/scene_flow_estimator.h>
+#include <pcl_msf/scene_flow_tracker.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+namespace pcl_msf {
+
+namespace {
+
+bool
+isShare (double value)
+{
+  return value >= 0.0 && value <= 1.0;
+}
+
+} // namespace
+
+bool
+TrackerParameters::isValid (std::string* why) const
+{
+  std::string problem;
+  if (window < 2 || window > 16)
+    problem = "window must be in [2, 16]";
+  else if (!isShare (least_visible))
+    problem = "least_visible must be in [0, 1]";
+  else if (!isShare (least_explained))
+    problem = "least_explained must be in [0, 1]";
+  if (why && !problem.empty())
+    *why = problem;
+  return problem.empty();
+}
+
+SceneFlowTracker::SceneFlowTracker (const TrackerParameters& tracker,
+                                    const SegmentationParameters& segmentation,
+                                    const EnergyParameters& energy,
+                                    const SolverParameters& solver,
+                                    const MultiframeParameters& multiframe)
+: tracker_ (tracker)
+, segmentation_ (segmentation)
+, energy_ (energy)
+, solver_ (solver)
+, multiframe_ (multiframe)
+{
+  requireValid();
+}
+
+void
+SceneFlowTracker::requireValid() const
+{
+  std::string why;
+  if (!tracker_.isValid (&why))
+    throw InvalidInput ("tracker parameters: " + why);
+  if (!segmentation_.isValid (&why))
+    throw InvalidInput ("segmentation parameters: " + why);
+  if (!energy_.isValid (&why))
+    throw InvalidInput ("energy parameters: " + why);
+  if (!solver_.isValid (&why))
+    throw InvalidInput ("solver parameters: " + why);
+  if (!multiframe_.isValid (&why))
+    throw InvalidInput ("multiframe parameters: " + why);
+}
+
+void
+SceneFlowTracker::reset()
+{
+  *this = SceneFlowTracker (tracker_, segmentation_, energy_, solver_, multiframe_);
+}
+
+const SceneFlow&
+SceneFlowTracker::sceneFlow() const
+{
+  static const SceneFlow none;
+  return result_.frames.empty() ? none : result_.frames.back();
+}
+
+RigidPose
+SceneFlowTracker::cameraPose() const
+{
+  return world_from_reference_ * sceneFlow().dominant_motion.inverse();
+}
+
+/** Share of the reference's points that the newest frame shows. */
+double
+SceneFlowTracker::visibleShare() const
+{
+  const cv::Mat& visibility = sceneFlow().visibility;
+  const double seen = cv::countNonZero (visibility == static_cast<int> (Visible));
+  return seen / std::max (1, cv::countNonZero (visibility));
+}
+
+/** Per segment, the first one of those that share all its motions. */
+std::vector<int>
+SceneFlowTracker::mergedLabels() const
+{
+  std::vector<int> merged (segments_.size());
+  std::map<std::vector<double>, int> first_with;
+  for (int k = 0; k < segments_.size(); ++k) {
+    std::vector<double> key;
+    for (const PairMotion& motion : result_.motions)
+      key.insert (key.end(),
+                  motion.segments[k].parameters.begin(),
+                  motion.segments[k].parameters.end());
+    merged[k] = first_with.emplace (key, k).first->second;
+  }
+  return merged;
+}
+
+/** The window as it is. */
+SceneFlowTracker::Window
+SceneFlowTracker::grow() const
+{
+  Window next{frames_, indices_, {}, segments_, {}, world_from_reference_};
+  next.former.resize (frames_.size());
+  std::iota (next.former.begin(), next.former.end(), 0);
+  next.origin.resize (segments_.size());
+  std::iota (next.origin.begin(), next.origin.end(), 0);
+  return next;
+}
+
+/** The window without the oldest frame beside its reference, which stays. */
+SceneFlowTracker::Window
+SceneFlowTracker::slide() const
+{
+  Window next = grow();
+  next.frames.erase (next.frames.begin() + 1);
+  next.indices.erase (next.indices.begin() + 1);
+  next.former.erase (next.former.begin() + 1);
+  if (!tracker_.merge_segments)
+    return next;
+  const std::vector<int> merged = mergedLabels();
+  cv::Mat labels = segments_.labels().clone();
+  labels.forEach<int> ([&merged] (int& label, const int*) {
+    label = label >= 0 ? merged[label] : label;
+  });
+  const RgbdFrame& reference = frames_.front();
+  next.segments = Oversegmentation::fromLabels (labels, reference);
+  next.origin = labelsInOrder (labels, reference.levels()[0].inverse_depth);
+  return next;
+}
+
+/** The newest frame as the reference of a window of its own. */
+SceneFlowTracker::Window
+SceneFlowTracker::beginAnew() const
+{
+  Window next{
+      {frames_.back()}, {indices_.back()}, {frames() - 1}, {}, {}, cameraPose()};
+  next.segments =
+      Oversegmentation::fromFrame (next.frames.front(), segmentation_, solver_.threads);
+  next.origin.assign (next.segments.size(), -1);
+  return next;
+}
+
+void
+SceneFlowTracker::add (const RgbdFrame& frame)
+{
+  if (frame.empty())
+    throw InvalidInput ("the frame is empty");
+  if (frames_.empty()) {
+    segments_ = Oversegmentation::fromFrame (frame, segmentation_, solver_.threads);
+    frames_.push_back (frame);
+    indices_.push_back (0);
+    return;
+  }
+  SceneFlowEstimator (energy_, solver_)
+      .requireUsable (frames_.front(), frame, segments_);
+  const bool full = frames() == tracker_.window;
+  Window window = !explained_ || (full && frames() == 2) ? beginAnew()
+                  : full                                 ? slide()
+                                                         : grow();
+  window.frames.push_back (frame);
+  window.indices.push_back (indices_.back() + 1);
+  solve (std::move (window));
+}
+
+/** Motions between frames that the former window held, too. */
+std::vector<KnownStep>
+SceneFlowTracker::knownSteps (const Window& window) const
+{
+  std::vector<KnownStep> known;
+  for (int k = 0; k + 1 < static_cast<int> (window.former.size()); ++k) {
+    KnownStep step{k, k + 1, {}, {}};
+    for (const int origin : window.origin) {
+      step.known.push_back (origin >= 0);
+      step.poses.push_back (
+          origin >= 0
+              ? result_.poseBetween (window.former[k], window.former[k + 1], origin)
+              : RigidPose{});
+    }
+    known.push_back (std::move (step));
+  }
+  return known;
+}
+
+/** Solves a window; what the last one knew of its motions is the start. */
+void
+SceneFlowTracker::solve (Window window)
+{
+  const std::vector<RgbdFrame> frames (window.frames.begin(), window.frames.end());
+  WindowSolve joint (frames, 0, window.segments, energy_, solver_, multiframe_);
+  const RigidPose last_step =
+      result_.frames.size() < 2
+          ? RigidPose{}
+          : sceneFlow().dominant_motion *
+                result_.frames[result_.frames.size() - 2].dominant_motion.inverse();
+  MultiframeSceneFlow result = joint.run (last_step, knownSteps (window));
+  const double covered =
+      labelledShare (joint.labelsIn (static_cast<int> (frames.size()) - 1),
+                     frames.back().levels()[0].inverse_depth);
+  result_ = std::move (result);
+  frames_ = std::move (window.frames);
+  indices_ = std::move (window.indices);
+  segments_ = window.segments;
+  world_from_reference_ = window.world_from_reference;
+  explained_ =
+      covered >= tracker_.least_explained && visibleShare() >= tracker_.least_visible;
+}
+
+} // namespace pcl_msf

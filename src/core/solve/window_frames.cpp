@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/base/parallel_for.h"
+#include "core/solve/window_solve.h"
+#include "core/window/depth_fusion.h"
+#include "core/window/exposure.h"
+#include "core/window/segment_carrier.h"
+
+#include <algorithm>
+
+/* What WindowSolve's present poses tell about the frames. */
+namespace pcl_msf {
+
+namespace {
+
+constexpr int kExposureSamples = 64; // per segment
+
+} // namespace
+
+cv::Mat
+WindowSolve::labelsIn (int frame) const
+{
+  return pcl_msf::carryLabels (frames_[pairs_.reference()].levels()[0],
+                               segments_.labels(),
+                               state_.ofPair (pairs_.fromReference (frame)),
+                               frames_[frame].levels()[0],
+                               scene_.noise);
+}
+
+/** Per frame that a pair starts from, at a level. */
+std::vector<cv::Mat>
+WindowSolve::carryLabels (int level) const
+{
+  const int reference = pairs_.reference();
+  std::vector<cv::Mat> labels (frames_.size());
+  labels[reference] = segments_.labels();
+  std::vector<int> sources;
+  for (const int p : scene_.used)
+    if (pairs_[p].from != reference)
+      sources.push_back (pairs_[p].from);
+  std::sort (sources.begin(), sources.end());
+  sources.erase (std::unique (sources.begin(), sources.end()), sources.end());
+  const int count = static_cast<int> (sources.size());
+  parallelFor (scene_.threads, count, 1, [&] (int i) {
+    labels[sources[i]] = labelsIn (sources[i]);
+  });
+  for (int i = 0; i < level; ++i)
+    for (cv::Mat& image : labels)
+      if (!image.empty())
+        image = halveLabels (image);
+  return labels;
+}
+
+/** Compares every frame's exposure with the reference's, at the present poses. */
+void
+WindowSolve::fitExposures (int at, const cv::Mat& labels)
+{
+  const int reference = pairs_.reference();
+  PointOptions options = pointOptions (scene_, at);
+  options.max_per_segment = kExposureSamples;
+  const SegmentPixels points =
+      groupPixels (frames_[reference].levels()[at], labels, scene_.segments, options);
+  std::vector<MatchedIntensities> matches (frames_.size());
+  parallelFor (scene_.threads, pairs_.frames(), 1, [&] (int f) {
+    if (f == reference)
+      return;
+    matches[f] = matchIntensities (
+        points, state_.ofPair (pairs_.fromReference (f)), frames_[f].levels()[at]);
+    scene_.exposure[f] = fitBrightnessChange (matches[f].reference, matches[f].current);
+  });
+  scene_.falloff = fitFalloff (matches, scene_.exposure);
+}
+
+/** All frames' measurements of the reference's points in one. */
+void
+WindowSolve::fuseDepth()
+{
+  const int reference = pairs_.reference();
+  std::vector<DepthWitness> witnesses;
+  for (int f = 0; f < pairs_.frames(); ++f)
+    if (f != reference)
+      witnesses.push_back (
+          {&frames_[f].levels()[0], state_.ofPair (pairs_.fromReference (f))});
+  scene_.fused_depth = fuseInverseDepth (frames_[reference].levels()[0],
+                                         segments_.labels(),
+                                         witnesses,
+                                         scene_.noise,
+                                         scene_.threads);
+}
+
+} // namespace pcl_msf

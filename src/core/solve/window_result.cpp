@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/result/dense_points.h"
+#include "core/result/dense_result.h"
+#include "core/result/dense_visibility.h"
+#include "core/result/outcome.h"
+#include "core/solve/window_solve.h"
+
+/* The results of WindowSolve, at the level of its last round. */
+namespace pcl_msf {
+
+SceneFlow
+WindowSolve::resultFor (int frame)
+{
+  const int pair = pairs_.fromReference (frame);
+  const DataTerm& data = level_->data (pair);
+  SceneFlow result;
+  result.camera = frames_[pairs_.reference()].camera();
+  result.labels = segments_.labels();
+  fillSegments (data,
+                scene_.links,
+                state_.ofPair (pair),
+                residualScale (energy_, data.pixels()),
+                scene_.threads,
+                result);
+  fillPoints (
+      data, frames_[frame].camera(), user_.blend_motions, scene_.threads, result);
+  fillVisibility (data, scene_.threads, result);
+  return result;
+}
+
+MultiframeSceneFlow
+WindowSolve::finish()
+{
+  const double before = monitor_.seconds();
+  level_->sweep (state_, DataTerm::Pass::Linearize); // bodies may have changed
+  MultiframeSceneFlow result;
+  result.reference = pairs_.reference();
+  for (int f = 0; f < pairs_.frames(); ++f)
+    result.frames.push_back (f == pairs_.reference() ? SceneFlow{} : resultFor (f));
+  for (const int p : scene_.used) {
+    PairMotion motion{pairs_[p].from, pairs_[p].to, {}};
+    for (const int body : state_.body_of)
+      motion.segments.push_back (state_.poses[p][body]);
+    result.motions.push_back (std::move (motion));
+  }
+  report_.result_seconds = monitor_.seconds() - before;
+  concludeReport (result);
+  return result;
+}
+
+void
+WindowSolve::concludeReport (MultiframeSceneFlow& result)
+{
+  report_.iterations = monitor_.iterations();
+  report_.history = monitor_.history();
+  const RgbdFrame& reference = frames_[pairs_.reference()];
+  std::vector<Judgement> judgements;
+  for (int f = 0; f < pairs_.frames(); ++f) {
+    if (f == pairs_.reference())
+      continue;
+    judgements.push_back (
+        judgeMotion (reference, frames_[f], scene_.noise.intensity, result.frames[f]));
+    judgements.back().frame = isPair() ? -1 : f;
+  }
+  conclude (
+      cancelled_ ? StopReason::Cancelled : monitor_.stopReason(), judgements, report_);
+  for (SceneFlow& flow : result.frames)
+    flow.report = report_;
+}
+
+} // namespace pcl_msf

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/solve/window_solve.h"
+
+#include "core/base/parallel_for.h"
+#include "core/bodies/body_assignment.h"
+#include "core/bodies/body_merging.h"
+#include "core/bodies/hidden_segments.h"
+#include "core/data/correlation_area.h"
+#include "core/result/outcome.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr int kCoarsestLevel = 2;   // the first solve of two frames
+constexpr int kStartLevel = 1;      // their poses are compared at half resolution
+constexpr int kLaterIterations = 4; // of a round after the first at the finest level
+constexpr double kLeastIntensityNoise = 0.005;
+constexpr double kModelError = 0.15; // pixels that rigid segments leave unexplained
+constexpr double kRelativeDepthNoise = 0.003; // of inverse depth, beside the noise
+constexpr CorrelationAreas kUnmeasured{20.0, 200.0}; // before anything is measured
+constexpr double kSeparation = 0.2; // mean cost that leaving all neighbours costs in
+                                    // a window; see AssignmentRules
+constexpr double kCertain = 1e9;    // prior of AssignmentRules, with a known background
+constexpr double kToleranceShare = 0.1; // a pair alone changes a sum of pairs little
+constexpr double kStartShare = 0.5;     // of the work
+
+/** Pairs that take part: all, or those with the reference and those of frames near each
+ * other. */
+std::vector<int>
+usedPairs (const FramePairs& pairs, int max_span)
+{
+  std::vector<int> used;
+  for (int p = 0; p < pairs.count(); ++p) {
+    const int span = std::abs (pairs[p].to - pairs[p].from);
+    if (max_span == 0 || span <= max_span || pairs[p].from == pairs.reference())
+      used.push_back (p);
+  }
+  return used;
+}
+
+int
+fewestLevels (const std::vector<RgbdFrame>& frames, int wanted)
+{
+  std::size_t levels = wanted;
+  for (const RgbdFrame& frame : frames)
+    levels = std::min (levels, frame.levels().size());
+  return static_cast<int> (levels);
+}
+
+} // namespace
+
+WindowSolve::WindowSolve (const std::vector<RgbdFrame>& frames,
+                          int reference,
+                          const Oversegmentation& segments,
+                          const EnergyParameters& energy,
+                          const SolverParameters& solver,
+                          const MultiframeParameters& multiframe)
+: frames_ (frames)
+, pairs_ (static_cast<int> (frames.size()), reference)
+, segments_ (segments)
+, energy_ (energy)
+, user_ (solver)
+, multiframe_ (multiframe)
+, solver_ (watchedSolver())
+, levels_ (fewestLevels (frames, solver.levels))
+, monitor_ (solver_)
+, scene_{frames_,
+         pairs_,
+         segments.size(),
+         threadCount (solver.threads),
+         usedPairs (pairs_, multiframe.max_span)}
+, pair_start_ (scene_, energy_, solver_)
+{}
+
+/** The user's parameters, with progress of a stage scaled to that of the window. Once
+ * the user cancels, nothing goes on. */
+SolverParameters
+WindowSolve::watchedSolver()
+{
+  SolverParameters watched = user_;
+  watched.progress = [this] (const Progress& progress) {
+    if (cancelled_ || !user_.progress)
+      return !cancelled_;
+    Progress scaled = progress;
+    scaled.fraction = begin_ + share_ * progress.fraction;
+    cancelled_ = !user_.progress (scaled);
+    return !cancelled_;
+  };
+  return watched;
+}
+
+/** From coarse to fine; at the two finest levels, segments that move as one merge. The
+ * finest level is about half of the work, the start a fifth. */
+std::vector<WindowSolve::Round>
+WindowSolve::pairSchedule (int finest_level) const
+{
+  std::vector<Round> rounds;
+  const int finest = std::min (finest_level, levels_ - 1);
+  for (int level = std::min (kCoarsestLevel, levels_ - 1); level >= finest; --level) {
+    const double begin = level == 0 ? 0.5 : 0.5 - 0.15 * level;
+    Round round{
+        "solve", level, begin, begin + (level == 0 ? 0.3 : 0.15), user_.max_iterations};
+    round.propose = round.merge = level < kCoarsestLevel;
+    rounds.push_back (round);
+  }
+  if (finest > 0)
+    return rounds;
+  if (user_.merge_bodies) {
+    rounds.push_back (
+        {"bodies", 0, 0.8, 1.0, std::min (user_.max_iterations, kLaterIterations)});
+    rounds.back().anew = false;
+    rounds.back().sharpen = true;
+  }
+  rounds.back().last = true;
+  return rounds;
+}
+
+/** The start leaves apart what may be one over all pairs, as textureless pieces of one
+ * surface, which the solve would let drift: bodies merge first. */
+std::vector<WindowSolve::Round>
+WindowSolve::windowSchedule() const
+{
+  const int few = std::min (user_.max_iterations, kLaterIterations);
+  const double third = (1.0 - kStartShare) / 3.0;
+  std::vector<Round> rounds;
+  for (int i = 0; i < 3; ++i) {
+    Round round{"window",
+                std::min (i == 0 ? 1 : 0, levels_ - 1),
+                kStartShare + i * third,
+                kStartShare + (i + 1) * third,
+                i == 0 ? user_.max_iterations : few};
+    round.presort = i == 0;
+    round.sharpen = i > 0;
+    round.merge = i < 2;
+    round.fuse = i == 2;
+    rounds.push_back (round);
+  }
+  return rounds;
+}
+
+MultiframeSceneFlow
+WindowSolve::run (const RigidPose& guess, const std::vector<KnownStep>& known)
+{
+  solve (guess, known, isPair() ? pairSchedule (0) : windowSchedule());
+  return finish();
+}
+
+void
+WindowSolve::solve (const RigidPose& guess, int finest_level)
+{
+  solve (guess, {}, pairSchedule (finest_level));
+}
+
+void
+WindowSolve::solve (const RigidPose& guess,
+                    const std::vector<KnownStep>& known,
+                    const std::vector<Round>& schedule)
+{
+  start (guess, known);
+  report_.start_seconds = monitor_.seconds();
+  begin_ = 0.0;
+  share_ = 1.0;
+  for (const Round& r : schedule)
+    round (r);
+  report_.solve_seconds = monitor_.seconds() - report_.start_seconds;
+}
+
+/** What residuals of two frames are measured in. */
+void
+WindowSolve::measureNoise()
+{
+  scene_.noise = {
+      kLeastIntensityNoise, kModelError, 0.0, kRelativeDepthNoise, kUnmeasured};
+  for (const RgbdFrame& frame : frames_) {
+    scene_.noise.intensity = std::max (scene_.noise.intensity, frame.intensityNoise());
+    scene_.noise.inverse_depth =
+        std::max (scene_.noise.inverse_depth, frame.inverseDepthNoise());
+  }
+}
+
+void
+WindowSolve::start (const RigidPose& guess, const std::vector<KnownStep>& known)
+{
+  if (isPair()) {
+    measureNoise();
+    const int at = std::min (kStartLevel, levels_ - 1);
+    std::vector<RigidPose> poses =
+        pair_start_.run (carryLabels (at)[pairs_.reference()], at, guess, given_start_);
+    state_ = WindowState (
+        MotionState::fromSegments (std::move (poses), scene_.links.size()));
+    return;
+  }
+  share_ = kStartShare;
+  WindowStart start (frames_, pairs_, segments_, energy_, solver_);
+  start.run (guess, known);
+  scene_.links = start.links();
+  scene_.noise = start.noise();
+  scene_.exposure = start.exposure();
+  scene_.centroids = start.centroids();
+  state_ = start.state();
+}
+
+/** A round's level, with segments carried by the present poses. */
+void
+WindowSolve::enterLevel (const Round& round)
+{
+  const std::vector<cv::Mat> labels = carryLabels (round.level);
+  if (!isPair())
+    fitExposures (round.level, labels[pairs_.reference()]);
+  if (round.fuse)
+    fuseDepth();
+  level_ = std::make_unique<WindowLevel> (scene_, round.level, labels, energy_);
+}
+
+void
+WindowSolve::round (const Round& round)
+{
+  if (round.anew)
+    enterLevel (round);
+  if (round.propose && state_.bodies() == scene_.segments)
+    pair_start_.proposeAgain (*level_, state_.poses[0]);
+  if (round.presort && user_.merge_bodies) {
+    level_->sweep (state_, DataTerm::Pass::Linearize);
+    merge();
+  }
+  if (round.sharpen)
+    level_->sharpenRigidBodies (state_);
+  monitor_.enter (round.stage, round.level, round.begin, round.end, round.iterations);
+  minimize (round.iterations);
+  if (round.level == kCoarsestLevel)
+    measureCorrelation (round.level);
+  if (round.merge && user_.merge_bodies) {
+    merge();
+    reassign();
+    measureCorrelation (round.level);
+  }
+  if (!round.last)
+    return;
+  if (followNeighbors (level_->terms(), scene_.links, state_) > 0)
+    level_->sweep (state_, DataTerm::Pass::Linearize);
+  if (user_.merge_bodies)
+    merge();
+  Energy (*level_, scene_, energy_, multiframe_.concatenation_weight, state_)
+      .relaxWeights (state_);
+}
+
+void
+WindowSolve::minimize (int iterations)
+{
+  Energy energy (*level_, scene_, energy_, multiframe_.concatenation_weight, state_);
+  SolverParameters solver = solver_;
+  if (!isPair())
+    solver.function_tolerance *= kToleranceShare;
+  solver.max_iterations = cancelled_ ? 0 : iterations;
+  const SolveOutcome outcome = pcl_msf::minimize (energy, solver, monitor_, state_);
+  report_.initial_cost = outcome.initial;
+  report_.final_cost = outcome.final;
+  report_.stop_reason = endOfSolve (outcome.settled(), outcome.failed);
+}
+
+/** What the residuals are worth, from those of the present bodies. */
+void
+WindowSolve::measureCorrelation (int level)
+{
+  level_->sweep (state_, DataTerm::Pass::Linearize);
+  scene_.noise.areas =
+      measureCorrelationAreas (level_->terms(), state_, level, scene_.noise.areas);
+  level_->reweigh (state_);
+}
+
+void
+WindowSolve::merge()
+{
+  mergeBodies (level_->terms(), pairs_.frames(), scene_.links, {}, state_);
+}
+
+void
+WindowSolve::reassign()
+{
+  AssignmentRules rules;
+  if (!isPair())
+    rules.separation = kSeparation;
+  if (multiframe_.static_background)
+    rules.prior = kCertain;
+  reassignBodies (level_->terms(), scene_.links, rules, scene_.threads, state_);
+}
+
+} // namespace pcl_msf

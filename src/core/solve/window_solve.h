@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/energy/minimize.h"
+#include "core/solve/window_start.h"
+#include "core/start/pair_start.h"
+#include <pcl_msf/multiframe_scene_flow.h>
+#include <pcl_msf/oversegmentation.h>
+
+#include <memory>
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief One estimation over two frames (section 3) or more (section 3.1), from start
+ * to results: a start, then a schedule of rounds.
+ *
+ * Two frames start with poses that optical flow suggests and go from coarse to fine. A
+ * window of more starts with its adjacent frames, solved down to level 1, and minimizes
+ * over all pairs at the two finest levels, in each round with the segments carried anew
+ * by the present poses. */
+class WindowSolve {
+public:
+  WindowSolve (const std::vector<RgbdFrame>& frames,
+               int reference,
+               const Oversegmentation& segments,
+               const EnergyParameters& energy,
+               const SolverParameters& solver,
+               const MultiframeParameters& multiframe);
+
+  /** \param known motions that an earlier window found */
+  MultiframeSceneFlow
+  run (const RigidPose& guess, const std::vector<KnownStep>& known = {});
+
+  /** \brief Two frames: has run () begin at these poses, one per segment, without
+   * looking for better ones. */
+  void
+  startFrom (const std::vector<RigidPose>& poses)
+  {
+    given_start_ = poses;
+  }
+
+  /** \brief Two frames: run () down to a level, without a result; what a window of more
+   * begins with. */
+  void
+  solve (const RigidPose& guess, int finest_level);
+
+  /** \brief Labels of a frame, carried there by the present poses. */
+  cv::Mat
+  labelsIn (int frame) const;
+
+  const WindowState&
+  state () const
+  {
+    return state_;
+  }
+  const WindowScene&
+  scene () const
+  {
+    return scene_;
+  }
+
+private:
+  /** What is done on a level, in this order. */
+  struct Round {
+    const char* stage;
+    int level;
+    double begin, end; ///< of the progress
+    int iterations;
+    bool anew{true};     ///< with a new level, segments carried by the present poses
+    bool fuse{false};    ///< with the depth of all frames
+    bool propose{false}; ///< segments may jump
+    bool presort{false}; ///< bodies merge before the solve, too
+    bool sharpen{false}; ///< rigid bodies show their own noise
+    bool merge{false};   ///< after the solve, and segments choose among the bodies
+    bool last{false};    ///< hidden segments follow, and bodies merge once more
+  };
+
+  SolverParameters
+  watchedSolver ();
+  bool
+  isPair () const
+  {
+    return pairs_.frames() == 2;
+  }
+  std::vector<Round>
+  pairSchedule (int finest_level) const;
+  std::vector<Round>
+  windowSchedule () const;
+  void
+  solve (const RigidPose& guess,
+         const std::vector<KnownStep>& known,
+         const std::vector<Round>& schedule);
+  void
+  measureNoise ();
+  void
+  start (const RigidPose& guess, const std::vector<KnownStep>& known);
+  void
+  round (const Round& round);
+  void
+  enterLevel (const Round& round);
+  std::vector<cv::Mat>
+  carryLabels (int level) const;
+  void
+  fitExposures (int level, const cv::Mat& labels);
+  void
+  fuseDepth ();
+  void
+  minimize (int iterations);
+  void
+  measureCorrelation (int level);
+  void
+  merge ();
+  void
+  reassign ();
+  MultiframeSceneFlow
+  finish ();
+  SceneFlow
+  resultFor (int frame);
+  void
+  concludeReport (MultiframeSceneFlow& result);
+
+  const std::vector<RgbdFrame>& frames_;
+  const FramePairs pairs_;
+  const Oversegmentation& segments_;
+  const EnergyParameters energy_;
+  const SolverParameters user_;
+  const MultiframeParameters multiframe_;
+  double begin_{0.0}; ///< of the progress that the present stage covers
+  double share_{1.0};
+  bool cancelled_{false};
+  const SolverParameters solver_;
+  const int levels_;
+  SolveMonitor monitor_;
+  WindowScene scene_;
+  PairStart pair_start_;
+  std::vector<RigidPose> given_start_; ///< in place of a search; empty = search
+  WindowState state_;
+  std::unique_ptr<WindowLevel> level_; ///< the present one
+  Report report_;
+};
+
+} // namespace pcl_msf

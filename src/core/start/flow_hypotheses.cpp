@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/start/flow_hypotheses.h"
+
+#include <opencv2/imgproc.hpp>
+#include <opencv2/video/tracking.hpp>
+
+#include "core/base/opencv_threads.h"
+#include "core/base/parallel_for.h"
+#include "core/motion/rigid_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr int kMinSamples = 6;
+constexpr int kMaxBodies = 6;
+constexpr int kVoters = 4;             // samples per segment in the search for bodies
+constexpr double kVoteLimit = 3.0;     // pixels
+constexpr double kSmallestBody = 0.02; // share of all voters
+constexpr int kLeastFlowSide = 16;     // pixels: two patches
+
+/** Samples of all segments; those of segment k are [begin[k], begin[k + 1]). */
+struct SampleTable {
+  std::vector<FlowSample> samples;
+  std::vector<int> begin;
+};
+
+SampleTable
+lift (const cv::Mat& flow,
+      const RgbdFrame& current,
+      const SegmentPixels& pixels,
+      const std::vector<char>& wanted,
+      int level)
+{
+  const cv::Mat& target = current.levels()[0].inverse_depth;
+  const int width = current.levels()[level].width();
+  SampleTable table;
+  table.begin.push_back (0);
+  table.samples.reserve (pixels.pixel.size());
+  for (int k = 0; k < pixels.segments(); ++k) {
+    const int end = wanted[k] ? pixels.begin[k + 1] : pixels.begin[k];
+    for (int i = pixels.begin[k]; i < end; ++i) {
+      const int x = std::min ((pixels.pixel[i] % width) << level, flow.cols - 1);
+      const int y = std::min ((pixels.pixel[i] / width) << level, flow.rows - 1);
+      const cv::Vec2f f = flow.at<cv::Vec2f> (y, x);
+      const float u = static_cast<float> (x) + f[0];
+      const float v = static_cast<float> (y) + f[1];
+      if (!(u >= 0.0f && v >= 0.0f && u <= static_cast<float> (flow.cols - 1) &&
+            v <= static_cast<float> (flow.rows - 1)))
+        continue;
+      const float w = target.at<float> (cvRound (v), cvRound (u));
+      table.samples.push_back ({pixels.x[i], pixels.y[i], pixels.z[i], u, v, w});
+    }
+    table.begin.push_back (static_cast<int> (table.samples.size()));
+  }
+  return table;
+}
+
+/** Every segment's vote: a few of its samples. */
+std::vector<FlowSample>
+drawVoters (const SampleTable& table)
+{
+  std::vector<FlowSample> voters;
+  for (std::size_t k = 0; k + 1 < table.begin.size(); ++k) {
+    const int n = table.begin[k + 1] - table.begin[k];
+    const int take = std::min (n, kVoters);
+    for (int i = 0; i < take; ++i)
+      voters.push_back (
+          table.samples[table.begin[k] + static_cast<int> ((i + 0.5) * n / take)]);
+  }
+  return voters;
+}
+
+RigidPose
+bestSupported (const std::vector<FlowSample>& voters,
+               const std::vector<RigidPose>& candidates,
+               const RigidFitOptions& options,
+               int threads)
+{
+  std::vector<double> errors (candidates.size());
+  const int n = static_cast<int> (candidates.size());
+  parallelFor (threads, n, 8, [&] (int c) {
+    errors[c] = meanTruncatedError (voters.data(),
+                                    static_cast<int> (voters.size()),
+                                    candidates[c],
+                                    options,
+                                    kVoteLimit);
+  });
+  const auto best = std::min_element (errors.begin(), errors.end());
+  return candidates[best - errors.begin()];
+}
+
+/** Motions shared by many voters: the best supported one, refined; then the best of
+ * those that it leaves unexplained, and so on. */
+std::vector<RigidPose>
+findBodies (const SampleTable& table,
+            const std::vector<RigidPose>& candidates,
+            const RigidFitOptions& options,
+            int threads)
+{
+  std::vector<FlowSample> voters = drawVoters (table);
+  const std::size_t all = voters.size();
+  std::vector<RigidPose> bodies;
+  while (static_cast<int> (bodies.size()) < kMaxBodies && !candidates.empty() &&
+         voters.size() > kSmallestBody * all) {
+    RigidPose pose = bestSupported (voters, candidates, options, threads);
+    pose =
+        fitRigidMotion (voters.data(), static_cast<int> (voters.size()), pose, options);
+    const auto explained = [&] (const FlowSample& s) {
+      return meanTruncatedError (&s, 1, pose, options, kVoteLimit) < 0.7 * kVoteLimit;
+    };
+    const std::size_t before = voters.size();
+    voters.erase (std::remove_if (voters.begin(), voters.end(), explained),
+                  voters.end());
+    if (before - voters.size() < kSmallestBody * all)
+      break;
+    bodies.push_back (pose);
+  }
+  return bodies;
+}
+
+/** Flow between 8-bit images. Where a side is shorter than two of its patches, OpenCV
+ * chooses the pyramid by the width alone and reads outside the image: the border is
+ * repeated up to there. */
+cv::Mat
+matchImages (const cv::Mat& first, const cv::Mat& second)
+{
+  const int right = std::max (0, kLeastFlowSide - first.cols);
+  const int bottom = std::max (0, kLeastFlowSide - first.rows);
+  cv::Mat from = first;
+  cv::Mat to = second;
+  if (right > 0 || bottom > 0) {
+    cv::copyMakeBorder (first, from, 0, bottom, 0, right, cv::BORDER_REPLICATE);
+    cv::copyMakeBorder (second, to, 0, bottom, 0, right, cv::BORDER_REPLICATE);
+  }
+  cv::Mat flow;
+  const auto dis = cv::DISOpticalFlow::create (cv::DISOpticalFlow::PRESET_MEDIUM);
+  dis->calc (from, to, flow);
+  return flow.size() == first.size() ? flow
+                                     : flow (cv::Rect ({0, 0}, first.size())).clone();
+}
+
+} // namespace
+
+cv::Mat
+estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current, int threads)
+{
+  cv::Mat flow;
+  withThreads (threads, [&] { flow = matchImages (reference.gray(), current.gray()); });
+  return flow;
+}
+
+cv::Mat
+estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current, int threads)
+{
+  const int level = std::min<int> ({1,
+                                    static_cast<int> (reference.levels().size()) - 1,
+                                    static_cast<int> (current.levels().size()) - 1});
+  const cv::Mat& first = reference.levels()[level].inverse_depth;
+  const cv::Mat& second = current.levels()[level].inverse_depth;
+  double nearest = 0.0;
+  cv::minMaxLoc (first, nullptr, &nearest);
+  const double scale = 255.0 / std::max (nearest, 1e-6);
+  cv::Mat gray_first;
+  cv::Mat gray_second;
+  first.convertTo (gray_first, CV_8U, scale);
+  second.convertTo (gray_second, CV_8U, scale);
+  cv::Mat flow;
+  const cv::Size size (reference.width(), reference.height());
+  withThreads (threads, [&] {
+    flow = matchImages (gray_first, gray_second);
+    if (level > 0)
+      cv::resize (flow, flow, size, 0, 0, cv::INTER_LINEAR);
+  });
+  if (level > 0)
+    flow *= 2.0;
+  return flow;
+}
+
+namespace {
+
+/** Intensities that the flow matches, at the level of the samples. */
+void
+matchIntensities (const cv::Mat& flow,
+                  const RgbdFrame& current,
+                  const SegmentPixels& pixels,
+                  int level,
+                  FlowHypotheses& result)
+{
+  const cv::Mat& image = current.levels()[level].intensity;
+  if (image.empty())
+    return;
+  const float scale = 1.0f / static_cast<float> (1 << level);
+  for (std::size_t i = 0; i < pixels.pixel.size(); ++i) {
+    const int x = pixels.pixel[i] % image.cols;
+    const int y = pixels.pixel[i] / image.cols;
+    const cv::Vec2f f = flow.at<cv::Vec2f> (std::min (y << level, flow.rows - 1),
+                                            std::min (x << level, flow.cols - 1));
+    const int u = cvRound (static_cast<float> (x) + f[0] * scale);
+    const int v = cvRound (static_cast<float> (y) + f[1] * scale);
+    if (u < 0 || v < 0 || u >= image.cols || v >= image.rows)
+      continue;
+    result.pairs_reference.push_back (pixels.intensity[i]);
+    result.pairs_current.push_back (image.at<float> (v, u));
+  }
+}
+
+} // namespace
+
+FlowHypotheses
+hypothesesFromFlow (const cv::Mat& flow,
+                    const RgbdFrame& current,
+                    const SegmentPixels& pixels,
+                    const std::vector<char>& wanted,
+                    int level,
+                    const NoiseModel& noise,
+                    const RigidPose& start,
+                    int threads)
+{
+  const SampleTable table = lift (flow, current, pixels, wanted, level);
+  const RigidFitOptions options{
+      current.camera(), 2.0 * noise.inverse_depth, 2.0 * noise.relative_depth, 0.5, 6};
+  FlowHypotheses result;
+  matchIntensities (flow, current, pixels, level, result);
+  const int segments = pixels.segments();
+  result.of_segment.assign (segments, start);
+  result.fitted.assign (segments, 0);
+  parallelFor (threads, segments, 8, [&] (int k) {
+    const int n = table.begin[k + 1] - table.begin[k];
+    if (n < kMinSamples)
+      return;
+    result.of_segment[k] =
+        fitRigidMotion (table.samples.data() + table.begin[k], n, start, options);
+    result.fitted[k] = 1;
+  });
+  std::vector<RigidPose> candidates;
+  for (int k = 0; k < segments; k += 2)
+    if (result.fitted[k])
+      candidates.push_back (result.of_segment[k]);
+  result.bodies = findBodies (table, candidates, options, threads);
+  return result;
+}
+
+} // namespace pcl_msf

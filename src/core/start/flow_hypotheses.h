@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "core/segments/segment_pixels.h"
+#include <pcl_msf/rgbd_frame.h>
+#include <pcl_msf/rigid_pose.h>
+
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief Motions that optical flow suggests: starts for segments, never results. */
+struct FlowHypotheses {
+  std::vector<RigidPose> of_segment; ///< robust rigid fit to each segment's flow
+  std::vector<char> fitted;          ///< enough samples for the fit?
+  std::vector<RigidPose> bodies; ///< motions that many segments share, largest first
+  std::vector<float> pairs_reference; ///< intensities of matched points ...
+  std::vector<float> pairs_current;   ///< ... and of their matches
+};
+
+/** \brief Dense optical flow, reference to current: CV_32FC2, pixels, by cv's DIS. */
+cv::Mat
+estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current, int threads);
+
+/** \brief The same on the images of inverse depth, at half resolution: follows thin and
+ * textureless things in front of a background, and frames without colour. */
+cv::Mat
+estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current, int threads);
+
+/** \brief Lifts optical flow by depth and fits rigid motions (robustly).
+ * \param flow full resolution
+ * \param samples points of the reference at a level
+ * \param wanted per segment, 0 = leave it out
+ * \param level index of that level
+ * \param start where the fits begin */
+FlowHypotheses
+hypothesesFromFlow (const cv::Mat& flow,
+                    const RgbdFrame& current,
+                    const SegmentPixels& samples,
+                    const std::vector<char>& wanted,
+                    int level,
+                    const NoiseModel& noise,
+                    const RigidPose& start,
+                    int threads);
+
+} // namespace pcl_msf

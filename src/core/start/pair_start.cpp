@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/start/pair_start.h"
+
+#include "core/segments/segment_graph.h"
+#include "core/start/pose_proposals.h"
+
+#include <algorithm>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr int kFirstRounds = 4;      // of proposals
+constexpr int kLaterRounds = 2;      // likewise, between levels
+constexpr double kUnexplained = 0.4; // mean cost per residual after the first start
+
+} // namespace
+
+PairStart::PairStart (WindowScene& scene,
+                      const EnergyParameters& energy,
+                      const SolverParameters& solver)
+: scene_ (scene)
+, energy_ (energy)
+, solver_ (solver)
+, reference_ (scene.frames[scene.pairs[0].from])
+, current_ (scene.frames[scene.pairs[0].to])
+{}
+
+std::vector<RigidPose>
+PairStart::run (const cv::Mat& labels,
+                int at,
+                const RigidPose& guess,
+                const std::vector<RigidPose>& given)
+{
+  const FrameLevel& reference = reference_.levels()[at];
+  SegmentPixels points =
+      probePoints (reference, labels, scene_.segments, pointOptions (scene_, at));
+  scene_.links = linkNearestCentroids (points.centroid, energy_.neighbors);
+  std::vector<char> wanted (scene_.segments, 1);
+  const auto lift = [&] (const cv::Mat& flow) {
+    return hypothesesFromFlow (
+        flow, current_, points, wanted, at, scene_.noise, guess, scene_.threads);
+  };
+  FlowHypotheses flow;
+  if (solver_.flow_proposals && reference_.hasIntensity()) {
+    flow = lift (estimateOpticalFlow (reference_, current_, scene_.threads));
+    scene_.change = fitBrightnessChange (flow.pairs_reference, flow.pairs_current);
+    for (float& intensity : points.intensity)
+      intensity = scene_.change.gain * intensity + scene_.change.offset;
+  }
+  if (!given.empty())
+    return given;
+  std::vector<RigidPose> poses (scene_.segments, guess);
+  common_ = {guess, RigidPose{}};
+  const Texture texture (current_.levels()[at]);
+  const DataTerm probes (points, texture, makeRules (energy_, points), scene_.threads);
+  const auto suggest = [&] (const FlowHypotheses& from) {
+    common_.insert (common_.end(), from.bodies.begin(), from.bodies.end());
+    propose (probes, reference.camera.fx, from, kFirstRounds, poses);
+  };
+  suggest (flow);
+  wanted = unexplained (probes, poses);
+  if (solver_.flow_proposals &&
+      std::find (wanted.begin(), wanted.end(), 1) != wanted.end())
+    suggest (lift (estimateDepthFlow (reference_, current_, scene_.threads)));
+  return poses;
+}
+
+void
+PairStart::proposeAgain (const WindowLevel& level, std::vector<RigidPose>& poses) const
+{
+  propose (level.probes (0), level.focalLength(), {}, kLaterRounds, poses);
+}
+
+/** Lets segments jump to the common poses, their flow's and their neighbours'. */
+void
+PairStart::propose (const DataTerm& probes,
+                    double focal_length,
+                    const FlowHypotheses& flow,
+                    int rounds,
+                    std::vector<RigidPose>& poses) const
+{
+  PoseProposals proposals (probes, scene_.links, energy_, focal_length, scene_.threads);
+  for (const RigidPose& pose : common_)
+    proposals.addCommon (pose);
+  for (std::size_t k = 0; k < flow.fitted.size(); ++k)
+    if (flow.fitted[k])
+      proposals.addOwn (static_cast<int> (k), flow.of_segment[k]);
+  proposals.run (rounds, poses);
+}
+
+/** Which segments do not fit the current frame at their present poses. */
+std::vector<char>
+PairStart::unexplained (const DataTerm& probes,
+                        const std::vector<RigidPose>& poses) const
+{
+  std::vector<char> result (scene_.segments, 0);
+  for (int k = 0; k < scene_.segments; ++k) {
+    const DataTerm::Probe probe = probes.probe (k, poses[k]);
+    result[k] = probe.cost + probe.hidden * probe.weight * probes.unsupportedCost() >
+                kUnexplained * probe.weight;
+  }
+  return result;
+}
+
+} // namespace pcl_msf

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/data/window_level.h"
+#include "core/start/flow_hypotheses.h"
+#include <pcl_msf/parameters.h>
+
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief Poses of two frames that are worth descending from (section 3.3): the guess,
+ * rest, what optical flow suggests; for segments that these leave unexplained, what the
+ * flow of the depth images suggests. */
+class PairStart {
+public:
+  /** \param scene of two frames; gets its links and brightness change */
+  PairStart (WindowScene& scene,
+             const EnergyParameters& energy,
+             const SolverParameters& solver);
+
+  /** \param labels of the reference \param at their level
+   * \param given poses that are kept, one per segment; optical flow then tells the
+   * exposure alone; empty = search \return per segment */
+  std::vector<RigidPose>
+  run (const cv::Mat& labels,
+       int at,
+       const RigidPose& guess,
+       const std::vector<RigidPose>& given);
+
+  /** \brief Lets segments jump to poses that many share, and to their neighbours'. */
+  void
+  proposeAgain (const WindowLevel& level, std::vector<RigidPose>& poses) const;
+
+private:
+  void
+  propose (const DataTerm& probes,
+           double focal_length,
+           const FlowHypotheses& flow,
+           int rounds,
+           std::vector<RigidPose>& poses) const;
+  std::vector<char>
+  unexplained (const DataTerm& probes, const std::vector<RigidPose>& poses) const;
+
+  WindowScene& scene_;
+  const EnergyParameters& energy_;
+  const SolverParameters& solver_;
+  const RgbdFrame& reference_;
+  const RgbdFrame& current_;
+  std::vector<RigidPose> common_; ///< that every segment may try
+};
+
+} // namespace pcl_msf

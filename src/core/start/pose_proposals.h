@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/data/data_term.h"
+#include "core/motion/motion_state.h"
+#include <pcl_msf/parameters.h>
+
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief Lets segments jump to other poses where descent cannot take them.
+ *
+ * Each segment tries its own candidates, the common ones and its neighbours' present
+ * poses, and takes the one with the lowest share of the energy (truncated data cost of
+ * sampled points plus coupling at the best weights). All decide at once on the last
+ * round's state, so that the outcome does not depend on the order.
+ */
+class PoseProposals {
+public:
+  /** \param probes sampled points of a level \param focal_length of the level, pixels
+   */
+  PoseProposals (const DataTerm& probes,
+                 const std::vector<SegmentLink>& links,
+                 const EnergyParameters& energy,
+                 double focal_length,
+                 int threads);
+
+  void
+  addCommon (const RigidPose& pose)
+  {
+    common_.push_back (pose);
+  }
+  void
+  addOwn (int segment, const RigidPose& pose)
+  {
+    own_[segment].push_back (pose);
+  }
+
+  /** \brief Runs rounds until nobody moves. \param poses per segment
+   * \return how many changes were made */
+  int
+  run (int rounds, std::vector<RigidPose>& poses);
+
+private:
+  struct Neighbor {
+    int segment;
+    int link;
+  };
+
+  double
+  misfit (int link, const UnpackedPose& first, const UnpackedPose& second) const;
+  double
+  cost (int segment, const RigidPose& pose) const;
+  void
+  lookWhoIsSeen (const std::vector<RigidPose>& poses);
+  bool
+  improve (int segment,
+           const std::vector<RigidPose>& poses,
+           bool first,
+           RigidPose& pose) const;
+
+  const DataTerm& probes_;
+  const std::vector<SegmentLink>& links_;
+  const EnergyParameters& energy_;
+  const double focal_length_;
+  const int threads_;
+  std::vector<std::vector<Neighbor>> neighbors_;
+  std::vector<std::vector<RigidPose>> own_;
+  std::vector<RigidPose> common_;
+  std::vector<UnpackedPose> present_; ///< poses of the round
+  std::vector<char> seen_; ///< per segment: mostly visible at its present pose
+};
+
+} // namespace pcl_msf

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "core/motion/motion_state.h"
+#include "core/segments/segment_pixels.h"
+#include <pcl_msf/rgbd_frame.h>
+
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief A frame that measures the reference's points once more. */
+struct DepthWitness {
+  const FrameLevel* level;
+  MotionState motion; ///< from the reference
+};
+
+/** \brief The reference's inverse depth, averaged with what other frames measure at the
+ * places that the poses carry its points to.
+ *
+ * A sensor's depth noise moves every point along its ray, and with it its optical flow,
+ * by a share of the motion: as many measurements as frames reduce it. Each counts by
+ * its variance, which for the witnesses includes what poses and interpolation leave;
+ * those that differ by more than the noise explains see something else and do not
+ * count. \param labels of the reference level \return CV_32FC1, 1 / metres, 0 where the
+ * reference has none */
+cv::Mat
+fuseInverseDepth (const FrameLevel& reference,
+                  const cv::Mat& labels,
+                  const std::vector<DepthWitness>& witnesses,
+                  const NoiseModel& noise,
+                  int threads);
+
+} // namespace pcl_msf
