@@ -57,4 +57,13 @@ openFrames (const std::string& path, const io::DatasetOptions& options)
   return sequences.front();
 }
 
+void
+requireFrame (const io::RgbdSequence& frames, int frame)
+{
+  if (frame >= frames.frames())
+    throw UsageError (frames.name() + " has " + std::to_string (frames.frames()) +
+                      " frames, there is no frame " + std::to_string (frame) +
+                      "; choose another by --frame, --reference or --window");
+}
+
 } // namespace pcl_msf::tool

@@ -30,4 +30,8 @@ readingOptions (io::DatasetOptions& options);
 std::shared_ptr<const io::RgbdSequence>
 openFrames (const std::string& path, const io::DatasetOptions& options);
 
+/** \throws UsageError when a recording has no such frame */
+void
+requireFrame (const io::RgbdSequence& frames, int frame);
+
 } // namespace pcl_msf::tool

@@ -10,6 +10,7 @@
 #include "common/interruption.h"
 #include "common/option_values.h"
 #include "common/recordings.h"
+#include "common/result_folder.h"
 #include "common/tool_main.h"
 #include "view/window.h"
 #include <pcl_msf/visualization/virtual_display.h>
@@ -25,8 +26,15 @@ namespace {
 using namespace pcl_msf;
 using namespace pcl_msf::tool;
 
+struct ViewOptions {
+  std::string input;          ///< a result folder or a folder with frames
+  std::string sequence;       ///< a folder with the frames of a result folder
+  io::DatasetOptions reading; ///< of frames
+  bool help{false};
+};
+
 CommandLine
-makeCommandLine (RenderOptions& options)
+makeCommandLine (ViewOptions& options)
 {
   CommandLine line;
   line.summary = "A live window: clouds, segments, the warp and displacement arrows.";
@@ -48,17 +56,18 @@ makeCommandLine (RenderOptions& options)
 
 /** Every pair that pcl_msf_scene_flow wrote. */
 SequenceSolver::Maker
-resultMaker (RenderOptions options, std::vector<ResultPair> pairs)
+resultMaker (const ViewOptions& options, std::vector<ResultPair> pairs)
 {
   if (options.sequence.empty())
     throw UsageError ("--sequence: missing; a result is shown with its frames");
-  openFrames (options.sequence, options.reading); // a wrong one is told at once
-  return [options, pairs] (int pair, const std::function<bool()>&) {
-    RenderOptions one = options;
-    one.reference = pairs[pair].reference;
-    one.frame = pairs[pair].current;
-    return loadRenderInputs (one).result;
-  };
+  const auto frames = openFrames (options.sequence, options.reading);
+  return
+      [folder = options.input, frames, pairs] (int pair, const std::function<bool()>&) {
+        visualization::ResultClouds result = readResult (folder, pairs[pair]);
+        requireFrame (*frames, pairs[pair].current);
+        takeCurrent (frames->frame (pairs[pair].current), result);
+        return result;
+      };
 }
 
 /** Every frame to the next. */
@@ -75,7 +84,7 @@ pairMaker (std::shared_ptr<const io::RgbdSequence> frames)
 }
 
 std::unique_ptr<SequenceSolver>
-makeSolver (const RenderOptions& options)
+makeSolver (const ViewOptions& options)
 {
   const std::vector<ResultPair> pairs = resultPairs (options.input);
   if (!pairs.empty())
@@ -86,7 +95,7 @@ makeSolver (const RenderOptions& options)
 }
 
 int
-run (const RenderOptions& options)
+run (const ViewOptions& options)
 {
   std::shared_ptr<void> display; // is there as long as the window
   const std::string problem = visualization::displayProblem (&display);
@@ -111,7 +120,7 @@ main (int argc, char** argv)
   cv::utils::logging::setLogLevel (cv::utils::logging::LOG_LEVEL_SILENT);
   pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS);
   try {
-    RenderOptions options;
+    ViewOptions options;
     const CommandLine line = makeCommandLine (options);
     line.read (argc, argv);
     if (options.help || options.input.empty()) {
