@@ -232,5 +232,5 @@ run (const Options& given)
 int
 main (int argc, char** argv)
 {
-  return toolMain<Options> ({kProgram, parseOptions, printHelp, run}, argc, argv);
+  return toolMain<Options> ({kProgram, kSummary, declareOptions, run}, argc, argv);
 }
