@@ -35,7 +35,7 @@ check (RenderOptions& o)
     o.sheet = true;
   if (o.gif)
     throw UsageError ("--gif: no longer made here; the pictures of --animation can be "
-                      "joined: ffmpeg -i DIR/warp/%04d.png warp.gif");
+                      "joined: ffmpeg -i DIR/warp/warp_%04d.png warp.gif");
   if (o.input.empty())
     throw UsageError ("give a folder of pcl_msf_scene_flow or one with frames");
   if (!o.style.isValid (&why))
