@@ -72,7 +72,7 @@ addReadingOptions (CLI::App& app, io::DatasetOptions& options)
 std::shared_ptr<const io::RgbdSequence>
 openFrames (const std::string& path, const io::DatasetOptions& options)
 {
-  const auto sequences = io::openDataset ("auto", path, options);
+  const auto sequences = io::openDataset (io::DatasetKind::Automatic, path, options);
   if (sequences.size() != 1)
     throw UsageError ("'" + path + "': holds " + std::to_string (sequences.size()) +
                       " sequences; give one of their folders");

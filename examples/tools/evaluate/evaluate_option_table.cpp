@@ -18,11 +18,11 @@ sameWords (const std::vector<std::string>& words)
   return same;
 }
 
-Words<Scene>
+Words<synthetic::SceneKind>
 sceneWords ()
 {
-  Words<Scene> words;
-  for (const Scene scene : allScenes())
+  Words<synthetic::SceneKind> words;
+  for (const synthetic::SceneKind scene : synthetic::allScenes())
     words.emplace_back (toString (scene), scene);
   return words;
 }
@@ -68,33 +68,38 @@ addInputOptions (CLI::App& app, EvaluateOptions& o)
   addMaxTimeDifference (app,
                         "between colour and depth images of TUM and folders",
                         o.reading.max_time_difference);
-  addWord<std::string> (app,
-                        "--pass",
-                        "Sintel, FlyingThings3D",
-                        o.reading.pass,
-                        sameWords ({"clean", "final"}));
-  addWord<std::string> (app,
-                        "--view",
-                        "FlyingThings3D, Virtual KITTI 2",
-                        o.reading.view,
-                        sameWords ({"left", "right"}));
+  addWord<io::RenderPass> (
+      app,
+      "--pass",
+      "Sintel, FlyingThings3D",
+      o.reading.pass,
+      {{"clean", io::RenderPass::Clean}, {"final", io::RenderPass::Final}});
+  addWord<io::StereoView> (
+      app,
+      "--view",
+      "FlyingThings3D, Virtual KITTI 2",
+      o.reading.view,
+      {{"left", io::StereoView::Left}, {"right", io::StereoView::Right}});
 }
 
 void
 addGeneratedOptions (CLI::App& app, GeneratedOptions& g)
 {
   beginGroup (app, "What to generate");
-  addWords<Scene> (app, "--scenes", "of pcl_msf_synthesize", g.scenes, sceneWords());
-  addWords<MotionSize> (app,
-                        "--motion",
-                        "easy, large",
-                        g.motions,
-                        {{"easy", MotionSize::Easy}, {"large", MotionSize::Large}});
-  addWords<Sensor> (app,
-                    "--sensor",
-                    "none, kinect",
-                    g.sensors,
-                    {{"none", Sensor::Ideal}, {"kinect", Sensor::Kinect}});
+  addWords<synthetic::SceneKind> (
+      app, "--scenes", "of pcl_msf_synthesize", g.scenes, sceneWords());
+  addWords<synthetic::MotionSize> (
+      app,
+      "--motion",
+      "easy, large",
+      g.motions,
+      {{"easy", synthetic::MotionSize::Easy}, {"large", synthetic::MotionSize::Large}});
+  addWords<synthetic::Sensor> (
+      app,
+      "--sensor",
+      "none, kinect",
+      g.sensors,
+      {{"none", synthetic::Sensor::Ideal}, {"kinect", synthetic::Sensor::Kinect}});
   addNumber (app, "--seed", "N", "of everything", g.seed);
   addSize (app, g.width, g.height);
   addNumber (app, "--frames", "N", "of a sequence", g.frames);

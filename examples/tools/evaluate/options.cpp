@@ -19,7 +19,9 @@ namespace {
 void
 takeDataset (const std::vector<std::string>& words, EvaluateOptions& options)
 {
-  std::vector<std::string> kinds = io::datasetKinds();
+  std::vector<std::string> kinds;
+  for (const auto& kind : io::datasetKinds())
+    kinds.push_back (kind.first);
   kinds.insert (kinds.end(), {"auto", "generated"});
   std::string list;
   for (const std::string& kind : kinds)
@@ -96,8 +98,8 @@ std::string
 footer ()
 {
   std::string text = "DATASET is one of auto";
-  for (const std::string& kind : io::datasetKinds())
-    text += ", " + kind;
+  for (const auto& kind : io::datasetKinds())
+    text += ", " + kind.first;
   text += " or generated.\n\nMethods:\n";
   for (const auto& [name, help] : methodHelp())
     text += helpLine (name, help);
@@ -129,15 +131,16 @@ EvaluateOptions::settings() const
     const GeneratedOptions& g = generated;
     text += " size=" + std::to_string (g.width) + "x" + std::to_string (g.height) +
             " frames=" + std::to_string (g.frames) + " seed=" + std::to_string (g.seed);
-    for (const Scene scene : g.scenes)
+    for (const synthetic::SceneKind scene : g.scenes)
       text += std::string (" ") + toString (scene);
-    for (const MotionSize motion : g.motions)
-      text += motion == MotionSize::Easy ? " easy" : " large";
-    for (const Sensor sensor : g.sensors)
-      text += sensor == Sensor::Ideal ? " none" : " kinect";
+    for (const synthetic::MotionSize motion : g.motions)
+      text += motion == synthetic::MotionSize::Easy ? " easy" : " large";
+    for (const synthetic::Sensor sensor : g.sensors)
+      text += sensor == synthetic::Sensor::Ideal ? " none" : " kinect";
   }
   else {
-    text += " pass=" + reading.pass + " view=" + reading.view;
+    text += std::string (" pass=") + toString (reading.pass) +
+            " view=" + toString (reading.view);
     if (reading.camera)
       for (const double value : {reading.camera->fx,
                                  reading.camera->fy,

@@ -18,6 +18,7 @@
 namespace {
 
 using namespace pcl_msf;
+using namespace pcl_msf::synthetic;
 using namespace pcl_msf::tool;
 
 constexpr const char* kProgram = "pcl_msf_synthesize";
@@ -35,11 +36,11 @@ constexpr const char* kSummary =
 void
 addSceneOptions (CLI::App& app, SequenceOptions& s)
 {
-  Words<Scene> scenes;
-  for (const Scene scene : allScenes())
+  Words<SceneKind> scenes;
+  for (const SceneKind scene : allScenes())
     scenes.emplace_back (toString (scene), scene);
   beginGroup (app, "What to render");
-  addWord<Scene> (app, "--scene", "what moves", s.scene, scenes);
+  addWord<SceneKind> (app, "--scene", "what moves", s.scene, scenes);
   addWord<MotionSize> (app,
                        "--motion",
                        "4 or 22 px a frame",
