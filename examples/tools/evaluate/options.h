@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "common/command_line.h"
 #include "generated.h"
 #include "shard.h"
 #include <pcl_msf/io/datasets.h>

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "common/command_line.h"
 #include <pcl_msf/io/datasets.h>
 #include <pcl_msf/pinhole_camera.h>
 #include <pcl_msf/visualization/result_scenes.h>
