@@ -68,7 +68,7 @@ evaluateAll (const EvaluateOptions& given)
   const std::vector<WorkItem> work = listWork (options);
   ResultStore store (
       options.csv,
-      {PCL_MSF_VERSION, options.settings(), options.shard, work.size(), {}},
+      {PCL_MSF_VERSION_PRETTY, options.settings(), options.shard, work.size(), {}},
       work,
       options.methods);
   std::vector<std::size_t> todo;
