@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
 #include <pcl_msf/build_compatibility.h>
 #include <pcl_msf/scene_flow_settings.h>
 #include <pcl_msf/scene_flow_tracker.h>
