@@ -134,29 +134,27 @@ addRunOptions (CLI::App& app, EvaluateOptions& o)
                         o.start,
                         sameWords ({"method", "true"}));
   addNumber (app, "--threads", "N", "of a process, 0 = all", o.threads);
-  addNumber (app, "--jobs", "N", "processes", o.jobs)->check (CLI::Range (1, 1024));
+  addOption (app, "--jobs", "N", "gone", [] (const std::string& n) -> bool {
+    throw UsageError ("--jobs: gone; GNU parallel runs shards at once: parallel "
+                      "pcl_msf_evaluate ... --shard {}/" +
+                      n + " --csv part_{}.csv ::: $(seq " + n +
+                      "), then pcl_msf_evaluate --merge --csv all.csv part_*.csv");
+  })->group ("");
 }
 
 void
 addOutputOptions (CLI::App& app, EvaluateOptions& o)
 {
   beginGroup (app, "What to write");
-  auto* csv =
-      addText (app,
-               "--csv",
-               "FILE",
-               "a row per method and pair, at once; what is there is not done again",
-               o.csv);
+  auto* csv = addText (
+      app,
+      "--csv",
+      "FILE",
+      "a row per method and pair, at once; what is there is not done again; a % "
+      "becomes the shard's I",
+      o.csv);
   addText (app, "--json", "FILE", "rows and summary", o.json);
-  addOption (app,
-             "--shard",
-             "I/N",
-             "do the I-th of N parts; auto: as Slurm or MPI says; auto/N: GNU parallel",
-             [&o] (const std::string& text) {
-               o.shard = parseShard (text);
-               return true;
-             })
-      ->needs (csv);
+  addShard (app, o.shard)->needs (csv);
   addFlag (app, "--merge", "join the CSVs of shards into --csv", o.merge);
   addFlag (app, "--quiet", "no progress on stderr", o.quiet);
 }

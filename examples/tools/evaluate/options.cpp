@@ -81,6 +81,8 @@ check (EvaluateOptions& options)
       throw UsageError ("--merge: no files to merge; give the shards' .csv");
     return;
   }
+  if (const std::size_t at = options.csv.find ('%'); at != std::string::npos)
+    options.csv.replace (at, 1, std::to_string (options.shard.index));
   takeDataset (options.words, options);
   expandMethods (options);
   options.generated.threads = options.threads;

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "common/command_line.h"
+#include "common/shard.h"
 #include "generated.h"
-#include "shard.h"
 #include <pcl_msf/io/datasets.h>
 
 #include <string>
@@ -33,7 +33,6 @@ struct EvaluateOptions {
   std::string labels{"method"}; ///< of all methods "msf"
   std::string start{"method"};  ///< likewise
   unsigned threads{0};
-  int jobs{1};
   Shard shard;
   std::string csv;
   std::string json;

@@ -46,6 +46,9 @@ addInputOptions (CLI::App& app, Options& o)
       app, "--flow-max", "PX", "flow of full colour, 0 = automatic", o.flow_maximum)
       ->check (CLI::NonNegativeNumber);
   addFlag (app, "--quiet", "print errors and warnings only", o.quiet);
+  addShard (app, o.shard);
+  addFlag (app, "--merge", "join all shards that are in --output", o.merge)
+      ->excludes (app.get_option ("--shard"));
 }
 
 void
@@ -68,7 +71,8 @@ addWindowOptions (CLI::App& app, Options& o)
            "frame by frame; a reference stays while it explains the frames",
            o.track)
       ->excludes (reference)
-      ->excludes (app.get_option ("--labels"));
+      ->excludes (app.get_option ("--labels"))
+      ->excludes (app.get_option ("--shard"));
   addFlag (app, "--rigid", "the whole scene is one rigid body", o.rigid);
   addNumber (app,
              "--concatenation-weight",

@@ -68,13 +68,37 @@ checkParameters (const Parameters& parameters)
   throw UsageError ("--" + why);
 }
 
+/** All that was given, but where and how the run works. */
+std::string
+settingsOf (const CLI::App& app)
+{
+  std::string text;
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || name == "--output" || name == "--shard" ||
+        name == "--quiet" || name == "--threads")
+      continue;
+    text += (text.empty() ? "" : " ") + name;
+    for (const std::string& value : option->results())
+      text += " " + value;
+  }
+  return text;
+}
+
 } // namespace
 
 void
 declareOptions (CLI::App& app, Options& options)
 {
   addSceneFlowOptions (app, options);
-  app.final_callback ([&options] {
+  app.final_callback ([&app, &options] {
+    if (options.merge) {
+      if (options.output.empty())
+        throw UsageError ("--merge: needs --output, the folder of the shards");
+      return;
+    }
+    options.shard_given = app.count ("--shard") > 0;
+    options.settings = settingsOf (app);
     checkInputs (options);
     checkParameters (options.frame);
     checkParameters (options.segmentation);

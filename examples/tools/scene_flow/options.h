@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/method_options.h"
+#include "common/shard.h"
 #include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/pinhole_camera.h>
 
@@ -28,8 +29,19 @@ struct Options : MethodSettings {
   std::string output;                ///< folder; empty with a sequence = named after it
   std::string labels;                ///< label image in place of the segmentation
   double flow_maximum{0.0};          ///< of the flow colours, pixels; 0 = automatic
+  Shard shard;
+  bool shard_given{false};
+  bool merge{false};    ///< of the shards in `output`
+  std::string settings; ///< what of the command line results depend on, as one line
   bool quiet{false};
   MultiframeParameters multiframe;
+
+  /** \brief Is this run a part of one? */
+  bool
+  sharded () const
+  {
+    return shard_given;
+  }
 };
 
 constexpr const char* kSummary =
@@ -38,7 +50,9 @@ constexpr const char* kSummary =
     "    --camera FX,FY,CX,CY --depth-scale S --output DIR\n"
     "  pcl_msf_scene_flow --cloud A.pcd --cloud B.pcd [--camera FX,FY,CX,CY] "
     "--output DIR\n"
-    "  pcl_msf_scene_flow FOLDER [--window N] [--track] [--output DIR]\n\n"
+    "  pcl_msf_scene_flow FOLDER [--window N] [--track] [--output DIR]\n"
+    "  pcl_msf_scene_flow FOLDER --shard I/N --output DIR, then --merge --output "
+    "DIR\n\n"
     "Give --color, --depth or --cloud once a frame, in the order of time. FOLDER is a\n"
     "recording: color_K.png, depth_K.png and camera.txt, or one of the data sets'\n"
     "layouts (TUM RGB-D, ...). Exit status: 0 = written and converged, 3 = written "
