@@ -89,7 +89,7 @@ TEST (CommandLine, PrintsHelpWithDefaults)
   Given given;
   given.name = "nobody";
   ::testing::internal::CaptureStdout();
-  EXPECT_FALSE (read (given, {"--count", "x", "--help"}));
+  EXPECT_FALSE (read (given, {"--count", "5", "--help"}));
   const std::string help = ::testing::internal::GetCapturedStdout();
   EXPECT_THAT (help, HasSubstr ("--count N [0]"));
   EXPECT_THAT (help, HasSubstr ("--name TEXT [nobody]"));
