@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "evaluate_option_table.h"
 
+#include "common/ranges.h"
 #include "common/recordings.h"
-#include <CLI/App.hpp>
 
 namespace pcl_msf::tool {
 
@@ -55,10 +55,9 @@ addInputOptions (CLI::App& app, EvaluateOptions& o)
                   "each frame and the next, or frame 0 and each later one",
                   o.pairs,
                   {{"adjacent", Pairs::Adjacent}, {"0-k", Pairs::FromFirst}});
-  addNumber (app, "--step", "N", "use every N-th frame", o.step)
-      ->check (CLI::PositiveNumber);
+  addNumber (app, "--step", "N", "use every N-th frame", o.step)->check (atLeast (1));
   addNumber (app, "--limit", "N", "pairs of a sequence at the most, 0 = all", o.limit)
-      ->check (CLI::NonNegativeNumber);
+      ->check (atLeast (0));
   addCamera (
       app, "pinhole camera in place of the data set's, pixels", o.reading.camera);
   addDepthScale (app,

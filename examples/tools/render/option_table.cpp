@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "render/option_table.h"
 
+#include "common/ranges.h"
 #include "common/recordings.h"
-#include <CLI/App.hpp>
 
 #include <optional>
 
@@ -105,16 +105,16 @@ addInputOptions (CLI::App& app, RenderOptions& o)
              "R",
              "the frame whose points are followed [the first of a result, else 0]",
              o.reference)
-      ->check (CLI::NonNegativeNumber);
+      ->check (atLeast (0));
   addNumber (
       app, "--frame", "K", "the current frame [the one after the reference]", o.frame)
-      ->check (CLI::NonNegativeNumber);
+      ->check (atLeast (0));
   addNumber (app,
              "--window",
              "K",
              "last frame of trajectories and of the warp, 0 = --frame",
              o.window)
-      ->check (CLI::NonNegativeNumber);
+      ->check (atLeast (0));
   addTexts (app, "--kind", "KIND", kindNames(), o.kind_words)->default_str ("sheet");
   addText (app, "--output", "DIR", "folder for KIND.png and so on", o.output);
   addReadingOptions (app, o.reading);
@@ -135,7 +135,7 @@ addViewOptions (CLI::App& app, RenderOptions& o)
   addNumber (app, "--azimuth", "DEG", "orbit: to the right", o.azimuth);
   addNumber (app, "--elevation", "DEG", "orbit: upwards, -89 to 89", o.elevation);
   addNumber (app, "--zoom", "FACTOR", "orbit, top: nearer when above 1", o.zoom)
-      ->check (CLI::PositiveNumber);
+      ->check (above (0));
   addPoint (
       app, "--eye", "user: metres, sensor's frame (x right, y down, z forward)", o.eye);
   addPoint (
@@ -152,7 +152,7 @@ addViewOptions (CLI::App& app, RenderOptions& o)
              "DEG",
              "orbit, top, user: along the larger side",
              o.field_of_view)
-      ->check (CLI::Range (1.0, 170.0));
+      ->check (within (1.0, 170.0));
   addSwitch (
       app, "--parallel", "parallel projection, with a length in metres", o.parallel);
 }
@@ -190,13 +190,13 @@ addStyleOptions (CLI::App& app, RenderOptions& o)
              "PX",
              "pixels between arrows or trajectories, 0 = as fit",
              o.scene.arrow_step)
-      ->check (CLI::NonNegativeNumber);
+      ->check (atLeast (0));
   addNumber (app,
              "--arrow-scale",
              "FACTOR",
              "arrows are so many times the displacement, 0 = as can be seen",
              o.scene.arrow_scale)
-      ->check (CLI::NonNegativeNumber);
+      ->check (atLeast (0));
   addNumber (app,
              "--maximum",
              "VALUE",
@@ -221,10 +221,9 @@ addAnimationOptions (CLI::App& app, RenderOptions& o)
              "orbit: there and back over so much, 360 = a whole turn",
              o.sweep);
   addNumber (app, "--pictures", "N", "of an animation", o.pictures)
-      ->check (CLI::Range (2, 2000));
+      ->check (within (2, 2000));
   addNumber (app, "--rate", "HZ", "pictures per second", o.rate)
-      ->check (CLI::PositiveNumber)
-      ->check (CLI::Range (0.0, 120.0));
+      ->check (inRange (1e-3, 120.0, "above 0, to 120"));
   addFlag (app, "--gif", "no longer made; says what joins the pictures", o.gif)
       ->group ("");
   addFlag (app, "--mp4", "also an MP4", o.mp4)->needs (animation);

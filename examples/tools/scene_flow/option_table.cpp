@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "option_table.h"
 
+#include "common/ranges.h"
 #include "common/recordings.h"
-#include <CLI/App.hpp>
 
 namespace pcl_msf::tool {
 
@@ -44,7 +44,7 @@ addInputOptions (CLI::App& app, Options& o)
       app, "--output", "DIR", "folder for the results, made when missing", o.output);
   addNumber (
       app, "--flow-max", "PX", "flow of full colour, 0 = automatic", o.flow_maximum)
-      ->check (CLI::NonNegativeNumber);
+      ->check (atLeast (0));
   addFlag (app, "--quiet", "print errors and warnings only", o.quiet);
   addShard (app, o.shard);
   addFlag (app, "--merge", "join all shards that are in --output", o.merge)
@@ -65,7 +65,7 @@ addWindowOptions (CLI::App& app, Options& o)
                                "K",
                                "frame of the window whose points are followed",
                                o.reference)
-                        ->check (CLI::NonNegativeNumber);
+                        ->check (atLeast (0));
   addFlag (app,
            "--track",
            "frame by frame; a reference stays while it explains the frames",
