@@ -110,10 +110,12 @@ mergeShards (const std::string& output, const char* program)
   const std::map<int, WindowRecord> records = allRecords (parts);
   OutputFolder merged (output, program);
   const fs::path stage = merged.stage();
-  for (const Part& part : parts)
-    for (const auto& [name, entry] : OutputManifest (part.folder, program).entries())
+  for (const Part& part : parts) {
+    const OutputManifest manifest (part.folder, program);
+    for (const auto& [name, entry] : manifest.entries())
       if (name != WindowLog::kName && name != "report.json")
         linkFile (fs::path (part.folder) / name, stage / name);
+  }
   const WindowRecord& last = records.rbegin()->second;
   const std::string report =
       "report_" + std::to_string (last.frames.at (last.reference)) + ".json";
