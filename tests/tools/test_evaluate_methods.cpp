@@ -163,4 +163,21 @@ TEST (Work, MethodsThatCannotRunHaveUnknownRows)
     EXPECT_TRUE (std::isnan (rows[i].score.sec)) << options.methods[i];
 }
 
+TEST (FlowBaselines, TakeImagesSmallerThanTwoPatches)
+{
+  const cv::Size sizes[] = {{12, 12}, {13, 40}, {40, 15}, {16, 16}};
+  for (const cv::Size& size : sizes) {
+    PairData pair;
+    pair.reference = {cv::Mat (size, CV_8UC3, cv::Scalar::all (90)),
+                      cv::Mat (size, CV_32FC1, 2.0),
+                      {10.0, 10.0, 3.5, 2.5}};
+    pair.current = pair.reference;
+    for (const char* name : {"dis_fast", "dis_medium"}) {
+      const Estimate estimate = makeMethod (name, 1)->run (pair);
+      ASSERT_EQ (estimate.flow.size(), size) << name;
+      EXPECT_LT (cv::norm (estimate.flow, cv::NORM_INF), 0.1) << name << " " << size;
+    }
+  }
+}
+
 } // namespace

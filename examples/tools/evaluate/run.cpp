@@ -43,7 +43,7 @@ evaluateAll (const EvaluateOptions& options)
     if (options.shard.has (item.number) && !store.has (item.number))
       todo.push_back (&item);
   RunProgress progress (todo.size(), !options.quiet);
-  const PairRunner runner (options);
+  PairRunner runner (options);
   RunOutcome outcome;
   for (const WorkItem* item : todo) {
     if (interrupted())

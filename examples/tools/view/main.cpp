@@ -61,6 +61,8 @@ SequenceSolver::Maker
 pairMaker (std::shared_ptr<const io::RgbdSequence> frames)
 {
   auto reference = std::make_shared<io::RgbdImages> (frames->frame (0));
+  if (!reference->note.empty())
+    complain ("pcl_msf_view", "warning: frame 0: " + reference->note);
   return [frames, reference] (int pair, const std::function<bool()>& go_on) {
     io::RgbdImages current = frames->frame (pair + 1);
     visualization::ResultClouds result = estimatePair (*reference, current, go_on);
