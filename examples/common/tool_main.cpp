@@ -15,8 +15,34 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <memory>
 
 namespace pcl_msf::tool {
+
+namespace {
+
+/** The help with defaults in brackets: "--window N [0]". */
+class HelpFormatter : public CLI::Formatter {
+public:
+  std::string
+  make_option_opts (const CLI::Option* option) const override
+  {
+    std::string text;
+    if (option->get_type_size() != 0 && !option->get_type_name().empty())
+      text += " " + option->get_type_name();
+    if (!option->get_default_str().empty())
+      text += " [" + option->get_default_str() + "]";
+    if (option->get_required())
+      text += " (required)";
+    for (const CLI::Option* other : option->get_needs())
+      text += " (with " + other->get_name() + ")";
+    for (const CLI::Option* other : option->get_excludes())
+      text += " (not with " + other->get_name() + ")";
+    return text;
+  }
+};
+
+} // namespace
 
 void
 complain (const std::string& program, std::string message)
@@ -49,6 +75,7 @@ runWithOptions (const std::string& program,
   return runTool (program, [&] {
     CLI::App app (summary, program);
     app.set_help_flag ("-h,--help", "print this");
+    app.formatter (std::make_shared<HelpFormatter>());
     app.get_formatter()->column_width (34);
     declare (app);
     if (argc < 2) {

@@ -149,7 +149,6 @@ TEST (SceneFlowOptions, HelpHasEveryOptionWithItsDefault)
   EXPECT_EQ (app.get_option ("--neighbors")->get_default_str(), "17");
   EXPECT_EQ (app.get_option ("--loss")->get_default_str(), "huber");
   EXPECT_EQ (app.get_option ("--merge-bodies")->get_default_str(), "1");
-  EXPECT_THAT (app.help(), ::testing::HasSubstr ("--loss huber|l1|l2 [huber]"));
 }
 
 } // namespace

@@ -111,10 +111,10 @@ mergeShards (const std::string& output, const char* program)
   OutputFolder merged (output, program);
   const fs::path stage = merged.stage();
   for (const Part& part : parts) {
-    const OutputManifest manifest (part.folder, program);
-    for (const auto& [name, entry] : manifest.entries())
-      if (name != WindowLog::kName && name != "report.json")
-        linkFile (fs::path (part.folder) / name, stage / name);
+    const OutputManifest written (part.folder, program);
+    for (const auto& file : written.entries())
+      if (file.first != WindowLog::kName && file.first != "report.json")
+        linkFile (fs::path (part.folder) / file.first, stage / file.first);
   }
   const WindowRecord& last = records.rbegin()->second;
   const std::string report =
