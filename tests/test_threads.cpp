@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <pcl/features/normal_3d_omp.h>
+
 #include <gtest/gtest.h>
 
 #include <opencv2/core/utility.hpp>
@@ -7,6 +9,7 @@
 #include "core/base/opencv_threads.h"
 #include "core/base/parallel_for.h"
 #include "rigid_pair.h"
+#include <dlfcn.h>
 #include <pcl_msf/piecewise_rigid_registration.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -14,6 +17,21 @@
 #include <cstring>
 #include <filesystem>
 #include <set>
+
+namespace {
+
+std::atomic<int> regions_of_openmp{0};
+
+} // namespace
+
+/** In place of OpenMP's own: GCC turns each parallel region into a call of it. */
+extern "C" [[gnu::visibility ("default")]] void
+GOMP_parallel (void (*f) (void*), void* data, unsigned threads, unsigned flags)
+{
+  ++regions_of_openmp;
+  using Own = void (*) (void (*) (void*), void*, unsigned, unsigned);
+  reinterpret_cast<Own> (dlsym (RTLD_NEXT, "GOMP_parallel")) (f, data, threads, flags);
+}
 
 namespace {
 
@@ -210,6 +228,28 @@ TEST (RegistrationThreads, OneStartsNone)
                return threadsNow();
              }),
              1);
+}
+
+TEST (RegistrationThreads, OneEntersNoRegionOfOpenMp)
+{
+  pcl::NormalEstimationOMP<pcl::PointXYZRGB, pcl::Normal> normals (1);
+  normals.setInputCloud (RigidPair::reference());
+  normals.setKSearch (5);
+  pcl::PointCloud<pcl::Normal> output;
+  normals.compute (output);
+  ASSERT_GT (regions_of_openmp, 0) << "they are counted";
+  regions_of_openmp = 0;
+  alignAll (1);
+  Registration registration;
+  registration.setNumberOfThreads (1);
+  registration.setInputSource (RigidPair::reference());
+  registration.setInputTarget (RigidPair::current());
+  Cloud warped;
+  registration.align (warped);
+  pcl::Registration<pcl::PointXYZRGB, pcl::PointXYZRGB>& base = registration;
+  EXPECT_LT (registration.getFitnessScore(), 1.0);
+  EXPECT_LT (base.getFitnessScore(), 1.0);
+  EXPECT_EQ (regions_of_openmp, 0);
 }
 
 TEST (RegistrationThreads, ForkedProcessesAlignAsTheirParentDid)
