@@ -3,7 +3,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "core/base/number_text.h"
-#include "io/output_file.h"
+#include "io/base/output_file.h"
 #include "visualization/child_process.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/images.h>

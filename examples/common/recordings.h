@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "common/command_line.h"
+#include <pcl_msf/io/datasets.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pcl_msf::tool {
+
+/** \brief A result's two frames, by their places in the recording. */
+struct ResultPair {
+  int reference;
+  int current;
+};
+
+/** \brief Pairs of frames that a folder of pcl_msf_scene_flow holds, by reference,
+ * later frames before earlier ones; empty for any other folder. */
+std::vector<ResultPair>
+resultPairs (const std::string& folder);
+
+/** \brief Options of what a recording does not say of itself. */
+std::vector<Option>
+readingOptions (io::DatasetOptions& options);
+
+/** \brief The recording in a folder. \throws IoError, UsageError unless it is one */
+std::shared_ptr<const io::RgbdSequence>
+openFrames (const std::string& path, const io::DatasetOptions& options);
+
+} // namespace pcl_msf::tool
