@@ -25,6 +25,7 @@
 namespace {
 
 using namespace pcl_msf;
+using namespace pcl_msf::synthetic;
 using namespace pcl_msf::testing;
 
 /** 1.234.567,8 in streams. */

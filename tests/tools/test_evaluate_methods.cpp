@@ -13,6 +13,7 @@
 namespace {
 
 using namespace pcl_msf;
+using namespace pcl_msf::synthetic;
 using namespace pcl_msf::tool;
 
 const float kNan = std::numeric_limits<float>::quiet_NaN();
@@ -105,7 +106,7 @@ TEST (PairScores, LiftedFlowHasNoDepthResidual)
 TEST (Generated, NamesTruthAndCamera)
 {
   GeneratedOptions options;
-  options.scenes = {Scene::StaticRoom, Scene::MultiBody};
+  options.scenes = {SceneKind::StaticRoom, SceneKind::MultiBody};
   options.motions = {MotionSize::Easy};
   options.width = 48;
   options.height = 36;

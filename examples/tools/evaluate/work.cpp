@@ -66,7 +66,9 @@ listWork (const EvaluateOptions& options)
   const auto sequences =
       options.dataset == "generated"
           ? openGenerated (options.generated)
-          : io::openDataset (options.dataset, options.path, options.reading);
+          : io::openDataset (io::datasetKindFromName (options.dataset),
+                             options.path,
+                             options.reading);
   std::vector<WorkItem> work;
   std::map<std::string, int> uses;
   for (const auto& sequence : sequences) {
