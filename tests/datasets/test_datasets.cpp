@@ -87,10 +87,10 @@ TEST (Datasets, ADepthScaleCountsOrIsRefused)
   EXPECT_FLOAT_EQ (scaled.at<float> (40, 40), metres.at<float> (40, 40) / 500.0F);
   written.layout = SequenceLayout::Sintel;
   writeSequence (smallSequence(), folder ("training"), written);
-  for (const char* kind : {"sintel", "auto"})
+  for (const DatasetKind kind : {DatasetKind::Sintel, DatasetKind::Automatic})
     try {
       openDataset (kind, folder ("training"), options);
-      ADD_FAILURE() << kind;
+      ADD_FAILURE() << static_cast<int> (kind);
     }
     catch (const InvalidInput& e) {
       EXPECT_THAT (e.what(), ::testing::HasSubstr ("depth_scale: 500 is not for"));
