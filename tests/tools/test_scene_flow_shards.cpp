@@ -52,10 +52,11 @@ protected:
   {
     EXPECT_EQ (names (output), names (whole));
     for (const std::string& name : names (whole))
-      if (name.rfind ("report", 0) != 0)
+      if (name.rfind ("report", 0) != 0) {
         EXPECT_EQ (readFile (folder_ (output) + "/" + name),
                    readFile (folder_ (whole) + "/" + name))
             << name;
+      }
   }
   std::set<std::string>
   names (const std::string& folder) const
