@@ -36,13 +36,19 @@ generate () { # TOOLS FOLDER
   done > /dev/null
 }
 
+# JSON without times, all numbers spelled one way: writers differ in "1", "1.0", "1e-04".
+numbers () { # FILE
+  sed '/"seconds": {/,/}/d; /"seconds":/d' "$1" |
+    perl -pe 's/-?\d+(\.\d+)?(e[+-]?\d+)?/sprintf ("%.17g", $&)/ge'
+}
+
 # Names and contents of the results; the picture files are made of them.
 contents () { # FOLDER
   local file
   for file in "$1"/*; do
     echo "${file##*/}"
     case "$file" in
-      *.json) sed '/"seconds": {/,/}/d; /"seconds":/d' "$file" ;;
+      *.json) numbers "$file" ;;
       *.flo | *.pcd | *.txt | */labels*.png | */visib*.png) cat "$file" ;;
     esac
   done

@@ -128,9 +128,9 @@ TEST (SceneFlowOptions, NamesWhatItRefuses)
 
 TEST (SceneFlowOptions, WantsTwoFramesAndAFolder)
 {
-  expectUsageError (kImages + "--cloud x.pcd", "--cloud excludes --");
+  expectUsageError (kImages + "--cloud x.pcd", "--color excludes --cloud");
   expectUsageError (kImages + "--color x", "--color: given 3 times");
-  expectUsageError ("seq --track --reference 1", "--track excludes --reference");
+  expectUsageError ("seq --track --reference 1", "--reference excludes --track");
   expectUsageError ("seq --window 1", "--window: 1");
   expectUsageError ("--depth a --camera 9,9,9,9 --output o", "--depth: given 1 times");
   expectUsageError ("--cloud a --output o", "--cloud: given 1 times");
