@@ -4,6 +4,7 @@
 
 #include "common/default_help.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,35 @@ append (std::vector<std::string>& files)
   return [&files] (const std::string& text) {
     files.push_back (text);
     return !text.empty();
+  };
+}
+
+/** Names parted by commas: these and no others. */
+Setter
+outputs (Outputs& wanted)
+{
+  return [&wanted] (const std::string& text) {
+    wanted = {false, false, false, false, false, false, false};
+    for (std::size_t begin = 0; begin <= text.size();) {
+      const std::size_t end = std::min (text.find (',', begin), text.size());
+      const std::string word = text.substr (begin, end - begin);
+      bool* const output = word == "flow"         ? &wanted.flow
+                           : word == "cloud"      ? &wanted.cloud
+                           : word == "warped"     ? &wanted.warped
+                           : word == "visibility" ? &wanted.visibility
+                           : word == "labels"     ? &wanted.labels
+                           : word == "poses"      ? &wanted.poses
+                           : word == "pictures"   ? &wanted.pictures
+                                                  : nullptr;
+      if (word == "all")
+        wanted = {};
+      else if (!output)
+        return false;
+      else
+        *output = true;
+      begin = end + 1;
+    }
+    return true;
   };
 }
 
@@ -55,6 +85,11 @@ inputOptions (Options& o)
         "DIR",
         "folder for the results, made when missing",
         text (o.output)},
+       {"--outputs",
+        "LIST",
+        "of all, flow, cloud, warped, visibility, labels, poses, pictures: what is "
+        "written beside the report [all]",
+        outputs (o.outputs)},
        numeric (
            "--flow-max", "PX", "flow of full colour, 0 = automatic", o.flow_maximum),
        {"--quiet", "", "print errors and warnings only", flag (o.quiet)},
