@@ -38,7 +38,7 @@ PairStart::run (const cv::Mat& labels,
       probePoints (reference, labels, scene_.segments, pointOptions (scene_, at));
   scene_.links = linkNearestCentroids (points.centroid, energy_.neighbors);
   std::vector<char> wanted (scene_.segments, 1);
-  const auto lift = [&] (const cv::Mat& flow) {
+  const auto lift = [&] (const CoarseFlow& flow) {
     return hypothesesFromFlow (
         flow, current_, points, wanted, at, scene_.noise, guess, scene_.threads);
   };
