@@ -46,6 +46,20 @@ expectUsageError (const std::string& line, const std::string& start)
   }
 }
 
+TEST (SceneFlowOptions, WritesWhatIsAskedFor)
+{
+  const Outputs all = parse (kImages).outputs;
+  EXPECT_TRUE (all.flow && all.cloud && all.warped && all.visibility && all.labels &&
+               all.poses && all.pictures);
+  const Outputs some = parse (kImages + "--outputs flow,cloud").outputs;
+  EXPECT_TRUE (some.flow && some.cloud);
+  EXPECT_FALSE (some.warped || some.visibility || some.labels || some.poses ||
+                some.pictures);
+  EXPECT_TRUE (parse (kImages + "--outputs flow,all").outputs.pictures);
+  for (const char* wrong : {"flow,", ",", "flo", "flow;cloud"})
+    expectUsageError (kImages + "--outputs " + wrong, "--outputs: ");
+}
+
 TEST (SceneFlowOptions, TakesTheContractsLine)
 {
   const Options o = parse (kImages + "--depth-scale 5000");

@@ -13,6 +13,17 @@
 
 namespace pcl_msf::tool {
 
+/** \brief Which files are written; the report always is. */
+struct Outputs {
+  bool flow{true};       ///< flow_A_B.flo
+  bool cloud{true};      ///< scene_flow_A_B.pcd
+  bool warped{true};     ///< warped_A_B.pcd
+  bool visibility{true}; ///< visibility_A_B.png and visible_A_B.png
+  bool labels{true};     ///< labels_A.png and bodies_A.png
+  bool poses{true};      ///< of windows of more than two frames: poses_A.yaml, .json
+  bool pictures{true};   ///< everything that is there to be looked at
+};
+
 /** \brief Everything that the command line says. */
 struct Options : MethodSettings {
   std::vector<std::string> color; ///< two files or more, or none
@@ -27,8 +38,9 @@ struct Options : MethodSettings {
   std::optional<double> depth_scale; ///< units per metre
   double max_time_difference{0.02};  ///< of images that a recording pairs, seconds
   std::string output;                ///< folder; empty with a sequence = named after it
-  std::string labels;                ///< label image in place of the segmentation
-  double flow_maximum{0.0};          ///< of the flow colours, pixels; 0 = automatic
+  Outputs outputs;
+  std::string labels;       ///< label image in place of the segmentation
+  double flow_maximum{0.0}; ///< of the flow colours, pixels; 0 = automatic
   Shard shard;
   bool shard_given{false};
   bool merge{false};    ///< of the shards in `output`

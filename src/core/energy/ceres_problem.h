@@ -44,9 +44,13 @@ protected:
   fill (bool with_jacobians);
 
 private:
+  void
+  unpackPoses ();
+
   Energy& energy_;
   WindowState& state_;
   std::vector<BodyBlocks> blocks_; ///< per used pair
+  CoupledPoses poses_;             ///< of the state
   std::unique_ptr<ceres::Problem> problem_;
   bool linearized_{false};
 };

@@ -53,7 +53,7 @@ PairStart::run (const cv::Mat& labels,
   scene_.links = linkNearestCentroids (points.centroid, energy_.neighbors);
   weighLinksBySurface (labels, reference, reference_.inverseDepthNoise(), scene_.links);
   std::vector<char> wanted (scene_.segments, 1);
-  const auto lift = [&] (const cv::Mat& flow) {
+  const auto lift = [&] (const CoarseFlow& flow) {
     return hypothesesFromFlow (
         flow, current_, points, wanted, at, scene_.noise, guess, scene_.threads);
   };
