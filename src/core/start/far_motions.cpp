@@ -177,7 +177,7 @@ motionsOfMatches (const std::vector<FlowSample>& matches,
 FarMotions
 findFarMotions (const RgbdFrame& reference,
                 const RgbdFrame& current,
-                const cv::Mat& flow,
+                const CoarseFlow& flow,
                 const RigidPose& start,
                 const RigidFitOptions& options,
                 int threads)
@@ -188,8 +188,8 @@ findFarMotions (const RgbdFrame& reference,
   for (const FlowSample& m : matches) {
     const double x = k.fx * m.x / m.z + k.cx;
     const double y = k.fy * m.y / m.z + k.cy;
-    const auto f = flow.at<cv::Vec2f> (std::clamp (cvRound (y), 0, flow.rows - 1),
-                                       std::clamp (cvRound (x), 0, flow.cols - 1));
+    const cv::Vec2f f = flow.at (std::clamp (cvRound (x), 0, reference.width() - 1),
+                                 std::clamp (cvRound (y), 0, reference.height() - 1));
     if (std::hypot (x + f[0] - m.u, y + f[1] - m.v) > kAgree)
       missed.push_back (m);
   }

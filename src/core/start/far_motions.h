@@ -2,9 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include <opencv2/core.hpp>
-
 #include "core/motion/rigid_fit.h"
+#include "core/start/flow_hypotheses.h"
 #include <pcl_msf/rgbd_frame.h>
 
 #include <vector>
@@ -32,12 +31,11 @@ struct FarMotions {
   bool instead_of_flow{false}; ///< most matches contradict the flow: it has failed
 };
 
-/** \brief Motions of the matched features that optical flow missed. \param flow full
- * resolution */
+/** \brief Motions of the matched features that optical flow missed. */
 FarMotions
 findFarMotions (const RgbdFrame& reference,
                 const RgbdFrame& current,
-                const cv::Mat& flow,
+                const CoarseFlow& flow,
                 const RigidPose& start,
                 const RigidFitOptions& options,
                 int threads);

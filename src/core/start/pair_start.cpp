@@ -58,7 +58,7 @@ PairStart::run (const cv::Mat& labels,
         flow, current_, points, wanted, at, scene_.noise, guess, scene_.threads);
   };
   FlowHypotheses flow;
-  cv::Mat optical; // empty without intensity
+  CoarseFlow optical; // empty without intensity
   if (solver_.flow_proposals && reference_.hasIntensity()) {
     optical = estimateOpticalFlow (reference_, current_, scene_.threads);
     flow = lift (optical);
@@ -81,7 +81,7 @@ PairStart::run (const cv::Mat& labels,
   if (solver_.flow_proposals &&
       std::find (wanted.begin(), wanted.end(), 1) != wanted.end())
     suggest (lift (estimateDepthFlow (reference_, current_, scene_.threads)));
-  if (!optical.empty() && lostShare (probes, poses) > kLost) {
+  if (!optical.flow.empty() && lostShare (probes, poses) > kLost) {
     const FarMotions far = findFarMotions (
         reference_, current_, optical, guess, fitOptions (scene_), scene_.threads);
     if (far.instead_of_flow) {

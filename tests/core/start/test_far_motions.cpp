@@ -126,10 +126,10 @@ protected:
   }
 
   /** The flow of a wall that moves by pixels to the left. */
-  static cv::Mat
+  static CoarseFlow
   flowBy (float pixels)
   {
-    return {240, 320, CV_32FC2, cv::Scalar (-pixels, 0.0)};
+    return {cv::Mat (240, 320, CV_32FC2, cv::Scalar (-pixels, 0.0)), 0};
   }
 
   cv::Mat picture_;
