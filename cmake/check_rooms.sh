@@ -9,7 +9,7 @@
 set -euo pipefail
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}/src"
 
-rooms=(base frame motion segments window data energy start bodies result solve pcl)
+rooms=(base frame motion surface segments window data energy points start bodies result solve pcl)
 declare -A place
 for i in "${!rooms[@]}"; do place[${rooms[i]}]=$i; done
 place[start]=${place[result]} # side by side: the same place, but not the same room

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+// Registers two clouds without a grid: files in, files out.
+#include <pcl/console/print.h>
+
+#include "common/input_files.h"
+#include "common/interruption.h"
+#include "common/output_folder.h"
+#include "common/tool_main.h"
+#include "register/options.h"
+#include "scene_flow/progress_line.h"
+#include <pcl_msf/cloud_flow_estimator.h>
+#include <pcl_msf/errors.h>
+#include <pcl_msf/io/point_files.h>
+#include <pcl_msf/io/text_files.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <string>
+
+namespace {
+
+using namespace pcl_msf;
+using namespace pcl_msf::tool;
+
+constexpr const char* kProgram = "pcl_msf_register";
+constexpr int kNotFound = 3; // exit status; everything was written
+
+bool
+isResultName (const std::string& name)
+{
+  static const std::array<const char*, 5> names{
+      "warped.ply", "registered.pcd", "parts.txt", "joints.json", "report.json"};
+  return std::find (names.begin(), names.end(), name) != names.end();
+}
+
+std::string
+partsText (const CloudFlow& flow)
+{
+  std::string text;
+  for (const int part : flow.part)
+    text += std::to_string (part) + "\n";
+  return text;
+}
+
+void
+writeResults (const std::string& folder,
+              const CloudFlow& flow,
+              const io::PointFile& source,
+              double load_seconds,
+              double total_seconds)
+{
+  io::writePointsPly (folder + "/warped.ply", flow.warped);
+  io::writeRegisteredCloud (folder + "/registered.pcd", flow, source);
+  io::writeText (folder + "/parts.txt", partsText (flow));
+  io::writeJoints (folder + "/joints.json", flow);
+  io::writeCloudReport (
+      folder + "/report.json", flow, load_seconds, total_seconds);
+}
+
+void
+printSummary (const CloudFlow& flow, double seconds, const std::string& folder)
+{
+  using namespace pcl::console;
+  setVerbosityLevel (L_INFO);
+  print_highlight ("%zu points, %zu parts, %zu joints, %.0f %% and %.0f %% of the "
+                   "clouds found on each other\n",
+                   flow.warped.size(),
+                   flow.parts.size(),
+                   flow.joints.size(),
+                   100.0 * flow.explained_source,
+                   100.0 * flow.explained_target);
+  print_info ("[done, ");
+  print_value ("%.1f", 1000.0 * seconds);
+  print_info (" ms; written to ");
+  print_value ("%s", folder.c_str());
+  print_info ("]\n");
+}
+
+CloudFlow
+estimate (const RegisterOptions& options,
+          const io::PointFile& source,
+          const io::PointFile& target)
+{
+  ProgressLine line (!options.quiet);
+  line.stage ("surfaces");
+  SolverParameters solver = options.solver;
+  solver.progress = [&line] (const Progress& progress) {
+    throwIfInterrupted();
+    line.update (progress);
+    return true;
+  };
+  return CloudFlowEstimator (solver).estimate (source.points, target.points);
+}
+
+double
+secondsSince (std::chrono::steady_clock::time_point begin)
+{
+  const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - begin;
+  return gone.count();
+}
+
+int
+run (const RegisterOptions& options)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  InputFiles files;
+  files.add (options.source);
+  files.add (options.target);
+  const io::PointFile source = io::readPoints (options.source);
+  const io::PointFile target = io::readPoints (options.target);
+  const double load = secondsSince (begin);
+  OutputFolder folder (options.output, kProgram);
+  folder.check (files, isResultName);
+  const CloudFlow flow = estimate (options, source, target);
+  const double total = secondsSince (begin);
+  writeResults (folder.stage(), flow, source, load, total);
+  folder.publish();
+  folder.finish();
+  if (!options.quiet)
+    printSummary (flow, total, options.output);
+  if (!flow.report.converged)
+    complain (kProgram,
+              std::string ("warning: not converged (") +
+                  toString (flow.report.stop_reason) + "): " + flow.report.message);
+  return flow.report.converged ? 0 : kNotFound;
+}
+
+} // namespace
+
+int
+main (int argc, char** argv)
+{
+  return toolMain<RegisterOptions> (
+      {kProgram, parseRegisterOptions, printRegisterHelp, run}, argc, argv);
+}
