@@ -45,7 +45,6 @@ struct CloudFlow {
   std::vector<CloudJoint> joints;      ///< of parts that touch
   double explained_source{0.0};        ///< share of the source's surface seen there
   double explained_target{0.0};        ///< share of the target's that the source covers
-  double stretch{0.0};                 ///< mean relative tear between neighbours
   Report report;
 };
 

@@ -4,7 +4,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "io/figure_parts.h"
+#include "io/base/figure_parts.h"
 #include "visualization/text.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "io/figure_parts.h"
-#include "io/motion_ranks.h"
+#include "io/base/figure_parts.h"
+#include "io/base/motion_ranks.h"
 #include "visualization/point_colors.h"
 #include "visualization/value_scenes.h"
 #include <pcl_msf/errors.h>

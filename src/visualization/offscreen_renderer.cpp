@@ -11,10 +11,10 @@
 #include <opencv2/imgproc.hpp>
 
 #include "visualization/annotations.h"
+#include "visualization/base/vtk_actors.h"
 #include "visualization/layer_sum.h"
 #include "visualization/point_size.h"
 #include "visualization/projection.h"
-#include "visualization/vtk_actors.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/visualization/offscreen_renderer.h>
 #include <pcl_msf/visualization/virtual_display.h>

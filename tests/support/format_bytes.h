@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 #include <opencv2/imgcodecs.hpp>
 
-#include "temporary_folder.h"
+#include "support/temporary_folder.h"
 #include <pcl_msf/rigid_pose.h>
 
 #include <cmath>

@@ -147,6 +147,7 @@ DataTerm::DataTerm (const SegmentPixels& pixels,
 , active_ (pixels.pixel.size(), 0)
 , frozen_ (pixels.segments())
 , quadratics_ (pixels.segments())
+, holds_ (pixels.segments(), 0)
 {}
 
 kernel::Points
@@ -169,7 +170,11 @@ DataTerm::points (int k) const
 void
 DataTerm::evaluate (int k, const RigidPose& pose, Pass pass)
 {
-  if (pass == Pass::Linearize)
+  const bool renew = pass == Pass::Linearize;
+  if (renew && holds_[k] && frozen_[k].parameters == pose.parameters)
+    return;
+  holds_[k] = renew;
+  if (renew)
     frozen_[k] = pose;
   const kernel::Motion motion = kernelMotion (pose, frozen_[k], pixels_.centroid[k]);
   const int at = pixels_.begin[k];

@@ -63,9 +63,17 @@ public:
             const kernel::Rules& rules,
             int threads);
 
-  /** \brief Evaluates all segments at a state's poses. */
+  /** \brief Evaluates all segments at a state's poses. A segment is not linearized
+   * again at the pose where it was last, as long as its points weigh the same. */
   void
   sweep (const MotionState& state, Pass pass);
+
+  /** \brief The points have got other scales: the last sums no longer hold. */
+  void
+  forget ()
+  {
+    std::fill (holds_.begin(), holds_.end(), 0);
+  }
 
   const SegmentQuadratic&
   of (int segment) const
@@ -103,12 +111,12 @@ public:
   {
     return rules_;
   }
-  /** \brief Weighs from now on by other rules; the last sweep's sums are not changed.
-   */
+  /** \brief Weighs by other rules from the next sweep on. */
   void
   setRules (const kernel::Rules& rules)
   {
     rules_ = rules;
+    forget();
   }
   kernel::Image
   image () const
@@ -158,6 +166,7 @@ private:
   std::vector<std::uint8_t> active_;
   std::vector<RigidPose> frozen_; ///< per segment, pose of the last renewal
   std::vector<SegmentQuadratic> quadratics_;
+  std::vector<char> holds_; ///< per segment: linearized at its frozen pose
 };
 
 } // namespace pcl_msf

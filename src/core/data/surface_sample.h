@@ -43,9 +43,9 @@ intensityAt (const kernel::Image& image, const ImagePlace& at)
 inline float
 inverseDepthAt (const kernel::Image& image, const ImagePlace& at)
 {
-  const int row = static_cast<int> (std::lround (at.v));
+  const int row = static_cast<int> (at.v + 0.5f);
   return image
-      .texels[2 * (row * image.width + static_cast<int> (std::lround (at.u))) + 1];
+      .texels[2 * (row * image.width + static_cast<int> (at.u + 0.5f)) + 1];
 }
 
 } // namespace pcl_msf

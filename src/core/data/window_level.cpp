@@ -105,13 +105,16 @@ WindowLevel::sharpenRigidBodies (const WindowState& state)
     for (const PairTerms& pair : terms())
       if (scene_.pairs[pair.pair].from == static_cast<int> (f))
         from.push_back (pair);
-    if (!from.empty())
-      pcl_msf::sharpenRigidBodies (from, state, scene_.threads, pixels_[f]);
+    if (from.empty())
+      continue;
+    pcl_msf::sharpenRigidBodies (from, state, scene_.threads, pixels_[f]);
+    for (const PairTerms& pair : from)
+      data_[pair.pair]->forget();
   }
 }
 
 void
-WindowLevel::reweigh (const WindowState& state)
+WindowLevel::reweigh()
 {
   for (SegmentPixels& points : pixels_)
     points.areas = scene_.noise.areas;
@@ -120,7 +123,6 @@ WindowLevel::reweigh (const WindowState& state)
     for (const std::unique_ptr<DataTerm>& term : *terms)
       if (term)
         term->setRules (makeRules (energy_, term->pixels()));
-  sweep (state, DataTerm::Pass::Linearize);
 }
 
 void

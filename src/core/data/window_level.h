@@ -92,10 +92,10 @@ public:
   void
   sharpenRigidBodies (const WindowState& state);
 
-  /** \brief Weighs the residuals anew by the scene's correlation areas, and evaluates
-   * at a state. */
+  /** \brief Weighs the residuals by the scene's correlation areas from the next sweep
+   * on. */
   void
-  reweigh (const WindowState& state);
+  reweigh ();
 
   double
   focalLength () const

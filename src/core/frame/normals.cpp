@@ -18,6 +18,7 @@ constexpr float kSameSurface = 0.03f; // relative difference of inverse depth pe
 constexpr float kSteepest = 0.3f;     // relative difference over the window's radius
 constexpr double kNormalError = 0.08; // radians aimed at
 constexpr int kMaxRadius = 4;         // even, as the step in wide windows is two
+constexpr int kRun = 128;             // pixels worked on at a time
 
 /** Half width of the window in which slopes reach the aimed accuracy: the slope over a
  * (2r+1)^2 window has standard deviation sigma / sqrt (sum of x^2). */
@@ -40,59 +41,84 @@ struct Slope {
   bool known{false};
 };
 
-/** Sums of a least-squares plane through a pixel's inverse depth. */
+/** Sums of least-squares planes through the inverse depth of some pixels of a row. */
 struct SlopeSums {
-  float xx{0.0f}, xy{0.0f}, yy{0.0f}, xw{0.0f}, yw{0.0f};
-
-  void
-  add (float dx, float dy, float difference)
-  {
-    xx += dx * dx;
-    xy += dx * dy;
-    yy += dy * dy;
-    xw += dx * difference;
-    yw += dy * difference;
-  }
+  float xx[kRun], xy[kRun], yy[kRun], xw[kRun], yw[kRun];
 
   Slope
-  solve () const
+  solve (int i) const
   {
-    const float det = xx * yy - xy * xy;
+    const float det = xx[i] * yy[i] - xy[i] * xy[i];
     if (det < 0.5f)
       return {};
-    return {(yy * xw - xy * yw) / det, (xx * yw - xy * xw) / det, true};
+    return {(yy[i] * xw[i] - xy[i] * yw[i]) / det,
+            (xx[i] * yw[i] - xy[i] * xw[i]) / det,
+            true};
   }
 };
 
-/** Slopes of the inverse depth in a window, from the pixels of the same surface: those
- * that differ little from the centre, and those that differ much but oppositely to the
- * pixel across the centre, as on a floor seen at a grazing angle. */
-Slope
-slopeAt (const cv::Mat& w, int x, int y, int radius, float tolerance)
+/** Adds the pixels at an offset and across the centre where they are on the centre's
+ * surface: those that differ little from it, and those that differ much but oppositely,
+ * as on a floor seen at a grazing angle.
+ * \param straight, mirrored the rows of both, at the first pixel */
+void
+addPixels (const float* center,
+           const float* straight,
+           const float* mirrored,
+           int n,
+           float dx,
+           float dy,
+           float noise,
+           SlopeSums& sums)
 {
+  constexpr float kFar = std::numeric_limits<float>::infinity();
+#pragma omp simd
+  for (int i = 0; i < n; ++i) {
+    const float w = center[i];
+    const float share = kSameSurface * w;
+    const float tolerance = 4.0f * noise < share ? share : 4.0f * noise;
+    const float steepest = kSteepest * w;
+    const float there = straight[i] > 0.0f ? straight[i] - w : kFar;
+    const float across = mirrored[i] > 0.0f ? mirrored[i] - w : kFar;
+    const float far_there = std::abs (there);
+    const float far_across = std::abs (across);
+    const bool line = (std::abs (there + across) < tolerance) & (far_there < steepest) &
+                      (far_across < steepest);
+    const float use_there = line | (far_there < tolerance) ? 1.0f : 0.0f;
+    const float use_across = line | (far_across < tolerance) ? 1.0f : 0.0f;
+    const float by = (use_there > 0.0f ? there : 0.0f);
+    const float back = (use_across > 0.0f ? across : 0.0f);
+    sums.xx[i] = sums.xx[i] + use_there * dx * dx + use_across * dx * dx;
+    sums.xy[i] = sums.xy[i] + use_there * dx * dy + use_across * dx * dy;
+    sums.yy[i] = sums.yy[i] + use_there * dy * dy + use_across * dy * dy;
+    sums.xw[i] = sums.xw[i] + dx * by - dx * back;
+    sums.yw[i] = sums.yw[i] + dy * by - dy * back;
+  }
+}
+
+/** Sums over the windows around n pixels of a row.
+ * \param center in an image with a border of `radius` pixels of zeros \param stride
+ * of its rows, floats */
+void
+sumWindows (const float* center,
+            std::ptrdiff_t stride,
+            int n,
+            int radius,
+            float noise,
+            SlopeSums& sums)
+{
+  sums = {};
   const int step = radius > 2 ? 2 : 1; // every second pixel of a wide window will do
-  const float center = w.at<float> (y, x);
-  const float steepest = kSteepest * center;
-  const auto difference = [&] (int u, int v) {
-    const bool inside = u >= 0 && u < w.cols && v >= 0 && v < w.rows;
-    const float value = inside ? w.at<float> (v, u) : 0.0f;
-    return value > 0.0f ? value - center : std::numeric_limits<float>::infinity();
-  };
-  SlopeSums sums;
   for (int dy = 0; dy <= radius; dy += step)
-    for (int dx = dy == 0 ? step : -radius; dx <= radius; dx += step) {
-      const float there = difference (x + dx, y + dy);
-      const float across = difference (x - dx, y - dy);
-      const bool straight = std::abs (there + across) < tolerance &&
-                            std::abs (there) < steepest && std::abs (across) < steepest;
-      const auto fx = static_cast<float> (dx);
-      const auto fy = static_cast<float> (dy);
-      if (straight || std::abs (there) < tolerance)
-        sums.add (fx, fy, there);
-      if (straight || std::abs (across) < tolerance)
-        sums.add (-fx, -fy, across);
-    }
-  return sums.solve();
+    for (int dx = dy == 0 ? step : -radius; dx <= radius; dx += step)
+      addPixels (center,
+                 center + dy * stride + dx,
+                 center - dy * stride - dx,
+                 n,
+                 static_cast<float> (dx),
+                 static_cast<float> (dy),
+                 noise,
+                 sums);
 }
 
 float
@@ -109,6 +135,20 @@ medianInverseDepth (const cv::Mat& w)
   return values[values.size() / 2];
 }
 
+/** Zero without a slope. */
+cv::Vec3f
+normalOf (const Slope& s, float center, int x, int y, const PinholeCamera& camera)
+{
+  if (!s.known)
+    return {0.0f, 0.0f, 0.0f};
+  const cv::Vec3f n (static_cast<float> (camera.fx) * s.du,
+                     static_cast<float> (camera.fy) * s.dv,
+                     center - s.du * static_cast<float> (x - camera.cx) -
+                         s.dv * static_cast<float> (y - camera.cy));
+  const float length = std::sqrt (n.dot (n));
+  return length > 0.0f ? n * (-1.0f / length) : cv::Vec3f (0.0f, 0.0f, 0.0f);
+}
+
 } // namespace
 
 cv::Mat
@@ -118,23 +158,19 @@ normalsByCentralDifferences (const cv::Mat& w,
 {
   cv::Mat normals = cv::Mat::zeros (w.size(), CV_32FC3);
   const int radius = slopeRadius (camera.fx, noise, medianInverseDepth (w));
+  cv::Mat bordered (w.rows + 2 * radius, w.cols + 2 * radius, CV_32FC1, cv::Scalar (0));
+  w.copyTo (bordered (cv::Rect ({radius, radius}, w.size())));
+  const auto stride = static_cast<std::ptrdiff_t> (bordered.cols);
+  SlopeSums sums;
   for (int y = 0; y < w.rows; ++y)
-    for (int x = 0; x < w.cols; ++x) {
-      const float center = w.at<float> (y, x);
-      if (center <= 0.0f)
-        continue;
-      const float tolerance =
-          std::max (4.0f * static_cast<float> (noise), kSameSurface * center);
-      const Slope s = slopeAt (w, x, y, radius, tolerance);
-      if (!s.known)
-        continue;
-      cv::Vec3f n (static_cast<float> (camera.fx) * s.du,
-                   static_cast<float> (camera.fy) * s.dv,
-                   center - s.du * static_cast<float> (x - camera.cx) -
-                       s.dv * static_cast<float> (y - camera.cy));
-      const float length = std::sqrt (n.dot (n));
-      if (length > 0.0f)
-        normals.at<cv::Vec3f> (y, x) = n * (-1.0f / length);
+    for (int first = 0; first < w.cols; first += kRun) {
+      const int n = std::min (kRun, w.cols - first);
+      const float* center = bordered.ptr<float> (y + radius) + radius + first;
+      sumWindows (center, stride, n, radius, static_cast<float> (noise), sums);
+      cv::Vec3f* out = normals.ptr<cv::Vec3f> (y) + first;
+      for (int i = 0; i < n; ++i)
+        if (center[i] > 0.0f)
+          out[i] = normalOf (sums.solve (i), center[i], first + i, y, camera);
     }
   return normals;
 }

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/segments/connected_segments.h"
 
+#include "core/base/parallel_for.h"
 #include "core/segments/surface_clusters.h"
 
 #include <algorithm>
@@ -15,13 +16,10 @@ namespace {
 
 constexpr float kBreak = 6.0f; // tolerances off the tangent plane that end a surface
 
-/** Disjoint sets of pixels; the smallest index is the root. */
-class PixelSets {
+/** Disjoint sets of numbers; the smallest one is the root. */
+class Sets {
 public:
-  explicit PixelSets (int n) : parent_ (n)
-  {
-    std::iota (parent_.begin(), parent_.end(), 0);
-  }
+  explicit Sets (int n) : parent_ (n) { std::iota (parent_.begin(), parent_.end(), 0); }
 
   int
   root (int i)
@@ -48,23 +46,12 @@ private:
 /** Slopes of the inverse depth per pixel, from the normals. */
 class TangentPlanes {
 public:
-  TangentPlanes (const FrameLevel& level, double noise)
+  TangentPlanes (const FrameLevel& level, double noise, int threads)
   : level_ (level)
   , noise_ (static_cast<float> (noise))
-  , slopes_ (level.height(), level.width(), CV_32FC2, cv::Scalar (0, 0))
+  , slopes_ (level.height(), level.width(), CV_32FC2)
   {
-    const PinholeCamera& k = level.camera;
-    for (int y = 0; y < level.height(); ++y)
-      for (int x = 0; x < level.width(); ++x) {
-        const cv::Vec3f n = level.normals.at<cv::Vec3f> (y, x);
-        const auto along_ray = static_cast<float> (n[0] * (x - k.cx) / k.fx +
-                                                   n[1] * (y - k.cy) / k.fy + n[2]);
-        const float w = level.inverse_depth.at<float> (y, x);
-        if (along_ray < -0.02f && w > 0.0f)
-          slopes_.at<cv::Vec2f> (y, x) = {
-              w * n[0] / (along_ray * static_cast<float> (k.fx)),
-              w * n[1] / (along_ray * static_cast<float> (k.fy))};
-      }
+    parallelFor (threads, level.height(), 16, [&] (int y) { fillRow (y); });
   }
 
   /** How far two neighbours lie off each other's tangent plane, in tolerances: the
@@ -72,10 +59,10 @@ public:
   float
   distance (int x0, int y0, int x1, int y1) const
   {
-    const float w0 = level_.inverse_depth.at<float> (y0, x0);
-    const float w1 = level_.inverse_depth.at<float> (y1, x1);
-    const cv::Vec2f s0 = slopes_.at<cv::Vec2f> (y0, x0);
-    const cv::Vec2f s1 = slopes_.at<cv::Vec2f> (y1, x1);
+    const float w0 = level_.inverse_depth.ptr<float> (y0)[x0];
+    const float w1 = level_.inverse_depth.ptr<float> (y1)[x1];
+    const cv::Vec2f& s0 = slopes_.ptr<cv::Vec2f> (y0)[x0];
+    const cv::Vec2f& s1 = slopes_.ptr<cv::Vec2f> (y1)[x1];
     const auto dx = static_cast<float> (x1 - x0);
     const auto dy = static_cast<float> (y1 - y0);
     const float d = w1 - w0;
@@ -85,81 +72,195 @@ public:
   }
 
 private:
+  void
+  fillRow (int y)
+  {
+    const PinholeCamera& k = level_.camera;
+    const cv::Vec3f* normals = level_.normals.ptr<cv::Vec3f> (y);
+    const float* inverse_depth = level_.inverse_depth.ptr<float> (y);
+    cv::Vec2f* slopes = slopes_.ptr<cv::Vec2f> (y);
+    for (int x = 0; x < level_.width(); ++x) {
+      const cv::Vec3f& n = normals[x];
+      const auto along_ray = static_cast<float> (n[0] * (x - k.cx) / k.fx +
+                                                 n[1] * (y - k.cy) / k.fy + n[2]);
+      const float w = inverse_depth[x];
+      slopes[x] = along_ray < -0.02f && w > 0.0f
+                      ? cv::Vec2f (w * n[0] / (along_ray * static_cast<float> (k.fx)),
+                                   w * n[1] / (along_ray * static_cast<float> (k.fy)))
+                      : cv::Vec2f (0.0f, 0.0f);
+    }
+  }
+
   const FrameLevel& level_;
   float noise_;
   cv::Mat slopes_;
 };
 
-/** The best neighbour of each part. */
-struct Neighbor {
-  float distance{1e30f};
-  int part{-1};
+/** Bits of a pixel: is it connected with the next one of its row, of its column? */
+enum Connection : unsigned char { kRight = 1, kDown = 2 };
+
+cv::Mat
+findConnections (const cv::Mat& labels, const TangentPlanes& planes, int threads)
+{
+  cv::Mat result (labels.size(), CV_8UC1);
+  parallelFor (threads, labels.rows, 16, [&] (int y) {
+    const int* row = labels.ptr<int> (y);
+    const int* next = y + 1 < labels.rows ? labels.ptr<int> (y + 1) : nullptr;
+    unsigned char* out = result.ptr<unsigned char> (y);
+    for (int x = 0; x < labels.cols; ++x) {
+      out[x] = 0;
+      if (row[x] < 0)
+        continue;
+      if (x + 1 < labels.cols && row[x + 1] == row[x] &&
+          planes.distance (x, y, x + 1, y) < kBreak)
+        out[x] |= kRight;
+      if (next && next[x] == row[x] && planes.distance (x, y, x, y + 1) < kBreak)
+        out[x] |= kDown;
+    }
+  });
+  return result;
+}
+
+/** An edge between pixels of two parts that have labels. */
+struct Border {
+  int part, other;
+  float distance;
 };
 
-template <typename Visit>
-void
-forEachEdge (const cv::Mat& labels, const Visit& visit)
-{
-  for (int y = 0; y < labels.rows; ++y)
-    for (int x = 0; x < labels.cols; ++x) {
-      if (labels.at<int> (y, x) < 0)
-        continue;
-      if (x + 1 < labels.cols && labels.at<int> (y, x + 1) >= 0)
-        visit (x, y, x + 1, y);
-      if (y + 1 < labels.rows && labels.at<int> (y + 1, x) >= 0)
-        visit (x, y, x, y + 1);
+/** The parts of an image, numbered by their first pixels. */
+class Parts {
+public:
+  Parts (const cv::Mat& labels, const cv::Mat& connections)
+  : part_ (labels.size(), CV_32SC1, cv::Scalar (-1)), sets_ (0)
+  {
+    Sets pixels = connect (labels, connections);
+    for (int y = 0; y < labels.rows; ++y) {
+      const int* row = labels.ptr<int> (y);
+      int* part = part_.ptr<int> (y);
+      for (int x = 0; x < labels.cols; ++x) {
+        if (row[x] < 0)
+          continue;
+        const int i = y * labels.cols + x;
+        const bool same = x > 0 && (connections.ptr<unsigned char> (y)[x - 1] & kRight);
+        const int first = same ? -1 : pixels.root (i);
+        if (first == i) {
+          first_.push_back (i);
+          size_.push_back (0);
+        }
+        part[x] = same         ? part[x - 1]
+                  : first == i ? static_cast<int> (first_.size()) - 1
+                               : part_.ptr<int>()[first];
+        ++size_[part[x]];
+      }
     }
-}
+    sets_ = Sets (static_cast<int> (first_.size()));
+  }
 
-PixelSets
-connectedParts (const cv::Mat& labels, const TangentPlanes& planes)
-{
-  PixelSets sets (static_cast<int> (labels.total()));
-  forEachEdge (labels, [&] (int x0, int y0, int x1, int y1) {
-    if (labels.at<int> (y0, x0) == labels.at<int> (y1, x1) &&
-        planes.distance (x0, y0, x1, y1) < kBreak)
-      sets.join (y0 * labels.cols + x0, y1 * labels.cols + x1);
-  });
-  return sets;
-}
+  int
+  partOf (int y, int x)
+  {
+    return sets_.root (part_.ptr<int> (y)[x]);
+  }
+  int
+  firstPixel (int part) const
+  {
+    return first_[part];
+  }
+  int
+  size (int part) const
+  {
+    return size_[part];
+  }
 
-std::vector<int>
-partSizes (const cv::Mat& labels, PixelSets& sets)
+  std::vector<Border>
+  borders (const TangentPlanes& planes, int min_points) const;
+  int
+  absorbSmall (const std::vector<Border>& borders, int min_points);
+
+private:
+  /** Runs of connected pixels of a row, then rows with each other. */
+  static Sets
+  connect (const cv::Mat& labels, const cv::Mat& connections)
+  {
+    Sets sets (static_cast<int> (labels.total()));
+    for (int y = 0; y < labels.rows; ++y) {
+      const unsigned char* row = connections.ptr<unsigned char> (y);
+      const unsigned char* next =
+          y + 1 < labels.rows ? connections.ptr<unsigned char> (y + 1) : nullptr;
+      const int begin = y * labels.cols;
+      for (int x = 0; x < labels.cols; ++x) {
+        if (row[x] & kRight)
+          sets.join (begin + x, begin + x + 1);
+        const bool known = x > 0 && (row[x - 1] & kDown) && (row[x - 1] & kRight) &&
+                           (next && (next[x - 1] & kRight));
+        if ((row[x] & kDown) && !known)
+          sets.join (begin + x, begin + labels.cols + x);
+      }
+    }
+    return sets;
+  }
+
+  cv::Mat part_; ///< CV_32SC1, before any was absorbed; -1 = none
+  std::vector<int> first_;
+  std::vector<int> size_; ///< of the roots of sets_
+  Sets sets_;
+};
+
+/** All edges that a small part has with others, in raster order. */
+std::vector<Border>
+Parts::borders (const TangentPlanes& planes, int min_points) const
 {
-  std::vector<int> sizes (labels.total(), 0);
-  for (int i = 0; i < static_cast<int> (labels.total()); ++i)
-    if (labels.at<int> (i / labels.cols, i % labels.cols) >= 0)
-      ++sizes[sets.root (i)];
-  return sizes;
+  std::vector<Border> result;
+  const auto look = [&] (int part, int other, int x, int y, int x1, int y1) {
+    if (part >= 0 && other >= 0 && part != other &&
+        (size_[part] < min_points || size_[other] < min_points))
+      result.push_back ({part, other, planes.distance (x, y, x1, y1)});
+  };
+  for (int y = 0; y < part_.rows; ++y) {
+    const int* row = part_.ptr<int> (y);
+    const int* next = y + 1 < part_.rows ? part_.ptr<int> (y + 1) : nullptr;
+    for (int x = 0; x < part_.cols; ++x) {
+      if (x + 1 < part_.cols)
+        look (row[x], row[x + 1], x, y, x + 1, y);
+      if (next)
+        look (row[x], next[x], x, y, x, y + 1);
+    }
+  }
+  return result;
 }
 
 /** One round of giving small parts to their best neighbour. \return how many */
 int
-absorbSmallParts (const cv::Mat& labels,
-                  const TangentPlanes& planes,
-                  int min_points,
-                  PixelSets& sets)
+Parts::absorbSmall (const std::vector<Border>& borders, int min_points)
 {
-  const std::vector<int> sizes = partSizes (labels, sets);
-  std::vector<Neighbor> best (labels.total());
+  struct Neighbor {
+    float distance{1e30f};
+    int part{-1};
+  };
+  std::vector<Neighbor> best (first_.size());
   const auto offer = [&] (int part, int other, float distance) {
-    if (sizes[part] < min_points && distance < best[part].distance)
+    if (size_[part] < min_points && distance < best[part].distance)
       best[part] = {distance, other};
   };
-  forEachEdge (labels, [&] (int x0, int y0, int x1, int y1) {
-    const int a = sets.root (y0 * labels.cols + x0);
-    const int b = sets.root (y1 * labels.cols + x1);
-    if (a == b || (sizes[a] >= min_points && sizes[b] >= min_points))
-      return;
-    const float distance = planes.distance (x0, y0, x1, y1);
-    offer (a, b, distance);
-    offer (b, a, distance);
-  });
+  for (const Border& border : borders) {
+    const int a = sets_.root (border.part);
+    const int b = sets_.root (border.other);
+    if (a == b)
+      continue;
+    offer (a, b, border.distance);
+    offer (b, a, border.distance);
+  }
   int absorbed = 0;
   for (std::size_t part = 0; part < best.size(); ++part)
     if (best[part].part >= 0) {
-      sets.join (static_cast<int> (part), best[part].part);
+      sets_.join (static_cast<int> (part), best[part].part);
       ++absorbed;
+    }
+  for (std::size_t part = 0; part < best.size(); ++part)
+    if (const int root = sets_.root (static_cast<int> (part));
+        root != static_cast<int> (part)) {
+      size_[root] += size_[part];
+      size_[part] = 0;
     }
   return absorbed;
 }
@@ -170,25 +271,28 @@ cv::Mat
 connectSegments (const cv::Mat& labels,
                  const FrameLevel& level,
                  double inverse_depth_noise,
-                 int min_points)
+                 int min_points,
+                 int threads)
 {
-  const TangentPlanes planes (level, inverse_depth_noise);
-  PixelSets sets = connectedParts (labels, planes);
+  const TangentPlanes planes (level, inverse_depth_noise, threads);
+  Parts parts (labels, findConnections (labels, planes, threads));
+  const std::vector<Border> borders = parts.borders (planes, min_points);
   constexpr int kRounds = 3; // small parts in the middle of small parts
   for (int round = 0; round < kRounds; ++round)
-    if (absorbSmallParts (labels, planes, min_points, sets) == 0)
+    if (parts.absorbSmall (borders, min_points) == 0)
       break;
   // Isolated small parts go back to one common part per label.
-  const std::vector<int> sizes = partSizes (labels, sets);
-  cv::Mat result (labels.size(), CV_32SC1, cv::Scalar (-1));
-  const int pixels = static_cast<int> (labels.total());
-  for (int i = 0; i < pixels; ++i) {
-    const int label = labels.at<int> (i / labels.cols, i % labels.cols);
-    if (label < 0)
-      continue;
-    const int root = sets.root (i);
-    result.at<int> (i / labels.cols, i % labels.cols) =
-        sizes[root] >= min_points ? root : pixels + label;
+  cv::Mat result (labels.size(), CV_32SC1);
+  const int pixels = labels.rows * labels.cols;
+  for (int y = 0; y < labels.rows; ++y) {
+    const int* row = labels.ptr<int> (y);
+    int* out = result.ptr<int> (y);
+    for (int x = 0; x < labels.cols; ++x) {
+      const int part = row[x] < 0 ? -1 : parts.partOf (y, x);
+      out[x] = part < 0                          ? -1
+               : parts.size (part) >= min_points ? parts.firstPixel (part)
+                                                 : pixels + row[x];
+    }
   }
   return result;
 }

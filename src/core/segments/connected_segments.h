@@ -19,6 +19,7 @@ cv::Mat
 connectSegments (const cv::Mat& labels,
                  const FrameLevel& level,
                  double inverse_depth_noise,
-                 int min_points);
+                 int min_points,
+                 int threads);
 
 } // namespace pcl_msf

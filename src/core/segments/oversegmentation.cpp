@@ -19,23 +19,32 @@ makeDense (const cv::Mat& inverse_depth, cv::Mat& labels)
 {
   std::vector<int> used;
   int last = -1;
-  for (int y = 0; y < labels.rows; ++y)
-    for (int x = 0; x < labels.cols; ++x) {
-      int& label = labels.at<int> (y, x);
-      if (label < 0 || inverse_depth.at<float> (y, x) <= 0.0f)
-        label = -1;
-      else if (label != last)
-        used.push_back (last = label);
-    }
+  for (int y = 0; y < labels.rows; ++y) {
+    int* row = labels.ptr<int> (y);
+    const float* w = inverse_depth.ptr<float> (y);
+    for (int x = 0; x < labels.cols; ++x)
+      if (row[x] < 0 || w[x] <= 0.0f)
+        row[x] = -1;
+      else if (row[x] != last)
+        used.push_back (last = row[x]);
+  }
   std::sort (used.begin(), used.end());
   used.erase (std::unique (used.begin(), used.end()), used.end());
-  for (int y = 0; y < labels.rows; ++y)
+  last = -1;
+  int number = -1;
+  for (int y = 0; y < labels.rows; ++y) {
+    int* row = labels.ptr<int> (y);
     for (int x = 0; x < labels.cols; ++x) {
-      int& label = labels.at<int> (y, x);
-      if (label >= 0)
-        label = static_cast<int> (std::lower_bound (used.begin(), used.end(), label) -
-                                  used.begin());
+      if (row[x] < 0)
+        continue;
+      if (row[x] != last) {
+        last = row[x];
+        number = static_cast<int> (std::lower_bound (used.begin(), used.end(), last) -
+                                   used.begin());
+      }
+      row[x] = number;
     }
+  }
   return static_cast<int> (used.size());
 }
 
@@ -70,7 +79,7 @@ cut (const RgbdFrame& frame, const SegmentationParameters& parameters, int threa
   const double noise = frame.inverseDepthNoise();
   const int min_points = std::max (8, size * size / 8);
   return connectSegments (
-      clusterSurfaces (level, noise, size, threads), level, noise, min_points);
+      clusterSurfaces (level, noise, size, threads), level, noise, min_points, threads);
 }
 
 } // namespace

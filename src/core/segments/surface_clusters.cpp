@@ -17,6 +17,7 @@ constexpr float kIntensityScale =
     8.f;                             // intensity 1/8 counts as much as one cluster side
 constexpr float kPlaneScale = 0.25f; // four tolerances off the plane count as much
 constexpr float kPlaneLimit = 9.0f;  // of the squared plane distance: robust
+constexpr int kRun = 64;             // pixels looked at together
 
 /** A cluster: centre, plane W = w + du (x - cx) + dv (y - cy), mean intensity. */
 struct Cluster {
@@ -27,6 +28,12 @@ struct Cluster {
 struct Sums {
   double n{0}, x{0}, y{0}, i{0}, w{0};
   double xx{0}, xy{0}, yy{0}, xw{0}, yw{0};
+};
+
+/** Pixels of a row with the same candidates: each loop over them vectorizes. */
+struct Run {
+  float x[kRun], w[kRun], intensity[kRun], inverse_tolerance[kRun], best[kRun];
+  int label[kRun];
 };
 
 class Clusterer {
@@ -61,8 +68,15 @@ private:
   assign (int stride);
   void
   update (int stride);
+  void
+  assignRow (int y, int stride);
+  void
+  findNearest (int y, int column, int n, Run& run) const;
   int
-  nearest (int x, int y, float w, float intensity) const;
+  columnOf (int x) const
+  {
+    return std::min (columns_ - 1, x * columns_ / level_.width());
+  }
 
   float
   intensityAt (int x, int y) const
@@ -104,57 +118,84 @@ Clusterer::seed()
     }
 }
 
-int
-Clusterer::nearest (int x, int y, float w, float intensity) const
+/** Labels of n pixels of row y in a column of the seeds' grid: of the nearest among the
+ * clusters seeded around. */
+void
+Clusterer::findNearest (int y, int column, int n, Run& run) const
 {
-  const int column = std::min (columns_ - 1, x * columns_ / level_.width());
   const int row = std::min (rows_ - 1, y * rows_ / level_.height());
-  const float inverse_tolerance = kPlaneScale / surfaceTolerance (w, noise_);
   const float inverse_step = 1.0f / step_;
-  float best = 1e30f;
-  int label = -1;
+  for (int i = 0; i < n; ++i) {
+    run.inverse_tolerance[i] = kPlaneScale / surfaceTolerance (run.w[i], noise_);
+    run.best[i] = 1e30f;
+    run.label[i] = -1;
+  }
   for (int r = std::max (0, row - 1); r <= std::min (rows_ - 1, row + 1); ++r)
     for (int c = std::max (0, column - 1); c <= std::min (columns_ - 1, column + 1);
          ++c) {
-      const Cluster& k = clusters_[r * columns_ + c];
-      const float dx = static_cast<float> (x) - k.x;
+      const int candidate = r * columns_ + c;
+      const Cluster k = clusters_[candidate];
       const float dy = static_cast<float> (y) - k.y;
-      const float off = (w - k.w - k.du * dx - k.dv * dy) * inverse_tolerance;
-      const float shade = (intensity - k.intensity) * kIntensityScale;
-      const float distance = (dx * dx + dy * dy) * inverse_step * inverse_step +
-                             std::min (off * off, kPlaneLimit) + shade * shade;
-      if (distance < best) {
-        best = distance;
-        label = r * columns_ + c;
+#pragma omp simd
+      for (int i = 0; i < n; ++i) {
+        const float dx = run.x[i] - k.x;
+        const float off =
+            (run.w[i] - k.w - k.du * dx - k.dv * dy) * run.inverse_tolerance[i];
+        const float off2 = off * off;
+        const float shade = (run.intensity[i] - k.intensity) * kIntensityScale;
+        const float distance = (dx * dx + dy * dy) * inverse_step * inverse_step +
+                               (off2 < kPlaneLimit ? off2 : kPlaneLimit) +
+                               shade * shade;
+        const bool nearer = distance < run.best[i];
+        run.best[i] = nearer ? distance : run.best[i];
+        run.label[i] = nearer ? candidate : run.label[i];
       }
     }
-  return label;
+}
+
+void
+Clusterer::assignRow (int y, int stride)
+{
+  const float* w = level_.inverse_depth.ptr<float> (y);
+  const float* intensity =
+      level_.intensity.empty() ? nullptr : level_.intensity.ptr<float> (y);
+  int* labels = labels_.ptr<int> (y);
+  Run run;
+  for (int x = 0; x < level_.width();) {
+    const int column = columnOf (x);
+    const int first = x;
+    int n = 0;
+    for (; x < level_.width() && n < kRun && columnOf (x) == column; x += stride, ++n) {
+      run.x[n] = static_cast<float> (x);
+      run.w[n] = w[x];
+      run.intensity[n] = intensity ? intensity[x] : 0.0f;
+    }
+    findNearest (y, column, n, run);
+    for (int i = 0; i < n; ++i)
+      labels[first + i * stride] = run.w[i] > 0.0f ? run.label[i] : -1;
+  }
 }
 
 void
 Clusterer::assign (int stride)
 {
   const int rows = (level_.height() + stride - 1) / stride;
-  parallelFor (threads_, rows, 8, [&] (int row) {
-    const int y = row * stride;
-    const float* w = level_.inverse_depth.ptr<float> (y);
-    int* labels = labels_.ptr<int> (y);
-    for (int x = 0; x < level_.width(); x += stride)
-      labels[x] = w[x] > 0.0f ? nearest (x, y, w[x], intensityAt (x, y)) : -1;
-  });
+  parallelFor (threads_, rows, 8, [&] (int row) { assignRow (row * stride, stride); });
 }
 
 void
 Clusterer::update (int stride)
 {
   std::vector<Sums> sums (clusters_.size());
-  for (int y = 0; y < level_.height(); y += stride)
+  for (int y = 0; y < level_.height(); y += stride) {
+    const int* labels = labels_.ptr<int> (y);
+    const float* inverse_depth = level_.inverse_depth.ptr<float> (y);
     for (int x = 0; x < level_.width(); x += stride) {
-      const int label = labels_.at<int> (y, x);
+      const int label = labels[x];
       if (label < 0)
         continue;
       const Cluster& k = clusters_[label];
-      const float w = level_.inverse_depth.at<float> (y, x);
+      const float w = inverse_depth[x];
       const double dx = x - k.x;
       const double dy = y - k.y;
       const auto off = static_cast<float> (w - k.w - k.du * dx - k.dv * dy);
@@ -172,6 +213,7 @@ Clusterer::update (int stride)
       s.xw += dx * w;
       s.yw += dy * w;
     }
+  }
   for (std::size_t i = 0; i < clusters_.size(); ++i) {
     const Sums& s = sums[i];
     if (s.n < 3)

@@ -267,10 +267,9 @@ WindowSolve::minimize (int iterations)
 void
 WindowSolve::measureCorrelation (int level)
 {
-  level_->sweep (state_, DataTerm::Pass::Linearize);
   scene_.noise.areas =
       measureCorrelationAreas (level_->terms(), state_, level, scene_.noise.areas);
-  level_->reweigh (state_);
+  level_->reweigh();
 }
 
 void

@@ -3,7 +3,7 @@
 #include "io/datasets/file_lists.h"
 
 #include "core/base/number_text.h"
-#include "io/input_file.h"
+#include "io/base/input_file.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/base/number_text.h"
+#include "io/base/input_file.h"
 #include "io/datasets/dataset_kinds.h"
 #include "io/datasets/file_lists.h"
 #include "io/datasets/frame_parts.h"
 #include "io/datasets/listed_sequence.h"
 #include "io/datasets/timed_lists.h"
-#include "io/input_file.h"
 #include <pcl_msf/errors.h>
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "io/datasets/file_lists.h"
-#include "io/decode_image.h"
+#include "io/formats/decode_image.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/images.h>
 #include <pcl_msf/io/text_files.h>

@@ -5,9 +5,9 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "core/base/number_text.h"
+#include "io/base/input_file.h"
 #include "io/datasets/file_lists.h"
-#include "io/decode_image.h"
-#include "io/input_file.h"
+#include "io/formats/decode_image.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/float_files.h>
 #include <pcl_msf/io/images.h>

@@ -5,7 +5,7 @@
 #include <Eigen/LU>
 
 #include "core/base/number_text.h"
-#include "io/input_file.h"
+#include "io/base/input_file.h"
 #include <pcl_msf/errors.h>
 
 #include <cmath>

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "common/default_estimation.h"
+
+#include "common/interruption.h"
+#include <pcl_msf/scene_flow_estimator.h>
+
+#include <cmath>
+#include <limits>
+
+namespace pcl_msf::tool {
+
+namespace {
+
+/** Points of a depth image. */
+cv::Mat
+backProject (const io::RgbdImages& images)
+{
+  cv::Mat points (images.depth.size(),
+                  CV_32FC3,
+                  cv::Scalar::all (std::numeric_limits<float>::quiet_NaN()));
+  for (int row = 0; row < points.rows; ++row)
+    for (int col = 0; col < points.cols; ++col) {
+      const float z = images.depth.at<float> (row, col);
+      if (!(z > 0.0F) || !std::isfinite (z))
+        continue;
+      const Eigen::Vector3f p = images.camera.backProject (col, row, z).cast<float>();
+      points.at<cv::Vec3f> (row, col) = {p.x(), p.y(), p.z()};
+    }
+  return points;
+}
+
+} // namespace
+
+DefaultEstimation::DefaultEstimation (const io::RgbdImages& reference)
+: reference_ (
+      RgbdFrame::fromImages (reference.color, reference.depth, reference.camera))
+, segments_ (Oversegmentation::fromFrame (reference_, {}, 0))
+{}
+
+SceneFlow
+DefaultEstimation::to (const io::RgbdImages& images,
+                       const std::function<bool()>& go_on) const
+{
+  FrameParameters target;
+  target.normals = NormalMethod::Skip;
+  SolverParameters solver;
+  solver.progress = [&go_on] (const Progress&) { return go_on(); };
+  const SceneFlow flow =
+      SceneFlowEstimator (EnergyParameters(), solver)
+          .estimate (
+              reference_,
+              RgbdFrame::fromImages (images.color, images.depth, images.camera, target),
+              segments_);
+  if (!go_on())
+    throw Interrupted();
+  return flow;
+}
+
+void
+takeCurrent (const io::RgbdImages& current, visualization::ResultClouds& result)
+{
+  result.current_points = backProject (current);
+  result.current_color = current.color;
+}
+
+visualization::ResultClouds
+estimatePair (io::RgbdImages reference,
+              io::RgbdImages current,
+              const std::function<bool()>& go_on)
+{
+  io::unifyColors ({&reference, &current});
+  visualization::ResultClouds result;
+  result.scene_flow = DefaultEstimation (reference).to (current, go_on);
+  result.reference_color = reference.color;
+  takeCurrent (current, result);
+  return result;
+}
+
+} // namespace pcl_msf::tool

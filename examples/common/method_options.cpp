@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "common/method_options.h"
+
+namespace pcl_msf::tool {
+
+namespace {
+
+void
+addFrameOptions (CLI::App& app, FrameParameters& p)
+{
+  beginGroup (app, "Frames");
+  addNumber (
+      app, "--smoothing-sigma", "PX", "Gaussian on the intensity", p.smoothing_sigma);
+  addNumber (app, "--min-depth", "M", "nearer points are dropped", p.min_depth);
+  addNumber (app, "--max-depth", "M", "farther points are dropped", p.max_depth);
+  addNumber (app, "--max-levels", "N", "pyramid levels of a frame", p.max_levels);
+  addWord<NormalMethod> (app,
+                         "--normals",
+                         "of the reference",
+                         p.normals,
+                         {{"central", NormalMethod::CentralDifferences},
+                          {"integral", NormalMethod::IntegralImage}});
+}
+
+void
+addSegmentationOptions (CLI::App& app, SegmentationParameters& p)
+{
+  using Method = SegmentationMethod;
+  beginGroup (app, "Segments");
+  addWord<Method> (app,
+                   "--segmentation",
+                   "how the reference is cut",
+                   p.method,
+                   {{"tangent-plane", Method::TangentPlane},
+                    {"felzenszwalb", Method::Felzenszwalb},
+                    {"slic", Method::Slic},
+                    {"tiles", Method::Tiles},
+                    {"single", Method::Single}});
+  addNumber (app, "--threshold", "T", "felzenszwalb's threshold", p.threshold);
+  addNumber (app, "--min-points", "N", "felzenszwalb's smallest segment", p.min_points);
+  addSwitch (
+      app, "--discard-small", "discard small segments, not merge", p.discard_small);
+  addNumber (app, "--segment-size", "PX", "aimed side of a segment", p.segment_size);
+}
+
+void
+addEnergyOptions (CLI::App& app, EnergyParameters& p)
+{
+  beginGroup (app, "Energy");
+  addNumber (app, "--brightness-weight", "W", "alpha", p.brightness_weight);
+  addNumber (app, "--icp-weight", "W", "beta", p.icp_weight);
+  addNumber (app, "--regularizer-weight", "W", "gamma", p.regularizer_weight);
+  addNumber (app, "--prior-weight", "W", "eta", p.prior_weight);
+  addNumber (app,
+             "--huber-threshold",
+             "E",
+             "in standard deviations, 0 = l1",
+             p.huber_threshold);
+  addWord<LossType> (
+      app,
+      "--loss",
+      "of the residuals",
+      p.loss,
+      {{"huber", LossType::Huber}, {"l1", LossType::L1}, {"l2", LossType::L2}});
+  addWord<PoseDifference> (
+      app,
+      "--pose-difference",
+      "of linked segments",
+      p.pose_difference,
+      {{"metric", PoseDifference::Metric}, {"parameters", PoseDifference::Parameters}});
+  addNumber (app, "--neighbors", "N", "connected segments of a segment", p.neighbors);
+}
+
+void
+addSolverOptions (CLI::App& app, SolverParameters& p)
+{
+  beginGroup (app, "Solver");
+  addNumber (app, "--max-iterations", "N", "steps a level", p.max_iterations);
+  addNumber (app, "--function-tolerance", "T", "relative change", p.function_tolerance);
+  addNumber (
+      app, "--parameter-tolerance", "T", "relative change", p.parameter_tolerance);
+  addNumber (app, "--max-seconds", "S", "time budget, 0 = none", p.max_seconds);
+  addWord<LinearSolver> (
+      app,
+      "--linear-solver",
+      "of a step",
+      p.linear_solver,
+      {{"cgnr", LinearSolver::Cgnr}, {"cholesky", LinearSolver::SparseCholesky}});
+  addNumber (app, "--levels", "N", "pyramid levels to use", p.levels);
+  addSwitch (app, "--flow-proposals", "start from optical flow, too", p.flow_proposals);
+  addSwitch (
+      app, "--blend-motions", "points follow connected segments, too", p.blend_motions);
+  addSwitch (app, "--merge-bodies", "join what moves as one body", p.merge_bodies);
+  addNumber (app, "--threads", "N", "0 = all", p.threads);
+}
+
+} // namespace
+
+void
+addMethodOptions (CLI::App& app, MethodSettings& settings)
+{
+  addFrameOptions (app, settings.frame);
+  addSegmentationOptions (app, settings.segmentation);
+  addEnergyOptions (app, settings.energy);
+  addSolverOptions (app, settings.solver);
+}
+
+} // namespace pcl_msf::tool

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "options.h"
+
+namespace pcl_msf::tool {
+
+/** \brief Adds all options of pcl_msf_evaluate, bound to the fields of `options`, which
+ * must outlive the application. */
+void
+addEvaluateOptions (CLI::App& app, EvaluateOptions& options);
+
+} // namespace pcl_msf::tool

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "option_table.h"
+
+#include "common/recordings.h"
+#include <CLI/App.hpp>
+
+namespace pcl_msf::tool {
+
+namespace {
+
+void
+addInputOptions (CLI::App& app, Options& o)
+{
+  addText (app, "FOLDER", "PATH", "a recording in place of files", o.sequence);
+  beginGroup (app, "Input and output");
+  auto* color =
+      addTexts (app, "--color", "FILE", "colour or grey image; once a frame", o.color);
+  auto* depth = addTexts (app,
+                          "--depth",
+                          "FILE",
+                          "depth image, 16-bit PNG, .dpt, .pfm or float .tiff; once a "
+                          "frame",
+                          o.depth);
+  addTexts (app,
+            "--cloud",
+            "FILE",
+            "organized .pcd in place of --color and --depth; once a frame",
+            o.cloud)
+      ->excludes (color)
+      ->excludes (depth);
+  addCamera (app, "pinhole camera, pixels; fitted to clouds when not given", o.camera);
+  addDepthScale (app,
+                 "units per metre of depth images or clouds [1000 for 16 bit, else 1]",
+                 o.depth_scale);
+  addMaxTimeDifference (
+      app, "between colour and depth images of a recording", o.max_time_difference);
+  addText (app,
+           "--labels",
+           "FILE",
+           "16-bit label image in place of a segmentation; 65535 = none",
+           o.labels);
+  addText (
+      app, "--output", "DIR", "folder for the results, made when missing", o.output);
+  addNumber (
+      app, "--flow-max", "PX", "flow of full colour, 0 = automatic", o.flow_maximum)
+      ->check (CLI::NonNegativeNumber);
+  addFlag (app, "--quiet", "print errors and warnings only", o.quiet);
+  addShard (app, o.shard);
+  addFlag (app, "--merge", "join all shards that are in --output", o.merge)
+      ->excludes (app.get_option ("--shard"));
+}
+
+void
+addWindowOptions (CLI::App& app, Options& o)
+{
+  beginGroup (app, "Windows of more than two frames");
+  addNumber (app,
+             "--window",
+             "N",
+             "frames solved jointly; 0 = all files, 4 of a folder",
+             o.window);
+  auto* reference = addNumber (app,
+                               "--reference",
+                               "K",
+                               "frame of the window whose points are followed",
+                               o.reference)
+                        ->check (CLI::NonNegativeNumber);
+  addFlag (app,
+           "--track",
+           "frame by frame; a reference stays while it explains the frames",
+           o.track)
+      ->excludes (reference)
+      ->excludes (app.get_option ("--labels"))
+      ->excludes (app.get_option ("--shard"));
+  addFlag (app, "--rigid", "the whole scene is one rigid body", o.rigid);
+  addNumber (app,
+             "--concatenation-weight",
+             "W",
+             "lambda of Eq. 14",
+             o.multiframe.concatenation_weight);
+  addNumber (app,
+             "--max-span",
+             "N",
+             "leave out pairs of frames farther apart, 0 = none",
+             o.multiframe.max_span);
+  addSwitch (app,
+             "--static-background",
+             "the largest body is a rigid background",
+             o.multiframe.static_background);
+}
+
+} // namespace
+
+void
+addSceneFlowOptions (CLI::App& app, Options& options)
+{
+  addInputOptions (app, options);
+  addMethodOptions (app, options);
+  addWindowOptions (app, options);
+}
+
+} // namespace pcl_msf::tool

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+// Renders an RGB-D sequence with exact truth into a folder.
+#include "common/command_line.h"
+#include "common/interruption.h"
+#include "common/output_folder.h"
+#include "common/stop_watch.h"
+#include "common/tool_main.h"
+#include <CLI/App.hpp>
+#include <pcl_msf/errors.h>
+#include <pcl_msf/synthetic/sequence_writer.h>
+#include <pcl_msf/synthetic/synthetic_sequence.h>
+
+#include <cctype>
+#include <cstdio>
+#include <regex>
+
+namespace {
+
+using namespace pcl_msf;
+using namespace pcl_msf::synthetic;
+using namespace pcl_msf::tool;
+
+constexpr const char* kProgram = "pcl_msf_synthesize";
+
+struct SynthesizeOptions {
+  std::string folder;
+  SequenceOptions sequence;
+  SequenceWriterOptions writing;
+};
+
+constexpr const char* kSummary =
+    "Renders an RGB-D sequence with exact scene flow, optical flow,\n"
+    "visibility, labels and poses.";
+
+void
+addSceneOptions (CLI::App& app, SequenceOptions& s)
+{
+  Words<SceneKind> scenes;
+  for (const SceneKind scene : allScenes())
+    scenes.emplace_back (toString (scene), scene);
+  beginGroup (app, "What to render");
+  addWord<SceneKind> (app, "--scene", "what moves", s.scene, scenes);
+  addWord<MotionSize> (app,
+                       "--motion",
+                       "4 or 22 px a frame",
+                       s.motion,
+                       {{"easy", MotionSize::Easy}, {"large", MotionSize::Large}});
+  addNumber (app,
+             "--motion-pixels",
+             "PX",
+             "average motion a frame at 640 px width, 0 = as --motion says",
+             s.motion_pixels);
+  addWord<Sensor> (app,
+                   "--sensor",
+                   "whose noise",
+                   s.sensor,
+                   {{"none", Sensor::Ideal}, {"kinect", Sensor::Kinect}});
+  addNumber (app, "--width", "PX", "of an image", s.width);
+  addNumber (app, "--height", "PX", "of an image", s.height);
+  addNumber (app, "--frames", "N", "of the sequence", s.frames);
+  addNumber (app, "--seed", "N", "places, colours, motions, noise", s.seed);
+  addNumber (app, "--samples", "N", "colour rays per pixel and axis", s.supersampling);
+  addSwitch (app, "--blur", "motion blur", s.motion_blur);
+  addNumber (app, "--threads", "N", "0 = all; no influence on the result", s.threads);
+}
+
+void
+addWritingOptions (CLI::App& app, SequenceWriterOptions& w)
+{
+  beginGroup (app, "How to write it");
+  addWord<SequenceLayout> (app,
+                           "--layout",
+                           "names and folders",
+                           w.layout,
+                           {{"cases", SequenceLayout::Cases},
+                            {"tum", SequenceLayout::Tum},
+                            {"sintel", SequenceLayout::Sintel}});
+  addWord<DepthFormat> (app,
+                        "--depth",
+                        "of cases; auto is dpt without a sensor",
+                        w.depth_format,
+                        {{"auto", DepthFormat::Automatic},
+                         {"dpt", DepthFormat::Float},
+                         {"png", DepthFormat::Png16}});
+  addNumber (app, "--depth-scale", "S", "16-bit depth units per metre", w.depth_scale);
+}
+
+void
+declareOptions (CLI::App& app, SynthesizeOptions& options)
+{
+  addText (app, "FOLDER", "PATH", "for the sequence", options.folder)->required();
+  addSceneOptions (app, options.sequence);
+  addWritingOptions (app, options.writing);
+}
+
+/** Version 0.1.0 spelled options "-motion_pixels"; both ways are understood. */
+std::vector<std::string>
+withTwoDashes (int argc, const char* const* argv)
+{
+  std::vector<std::string> words (argv, argv + argc);
+  for (std::string& word : words)
+    if (word.size() > 2 && word[0] == '-' &&
+        std::isalpha (static_cast<unsigned char> (word[1])) != 0) {
+      word.insert (0, "-");
+      for (std::size_t i = 0; i < word.size() && word[i] != '='; ++i)
+        word[i] = word[i] == '_' ? '-' : word[i];
+    }
+  return words;
+}
+
+/** What a later run replaces; scenes of a Sintel folder stand beside each other. */
+std::string
+groupOf (const SynthesizeOptions& options)
+{
+  switch (options.writing.layout) {
+  case SequenceLayout::Cases:
+    return "cases";
+  case SequenceLayout::Tum:
+    return "tum";
+  default:
+    return std::string ("sintel ") + toString (options.sequence.scene);
+  }
+}
+
+/** Files that would be read together with those of this sequence. */
+std::string
+patternOf (const SynthesizeOptions& options)
+{
+  const std::string scene = toString (options.sequence.scene);
+  switch (options.writing.layout) {
+  case SequenceLayout::Cases:
+    return "(color|depth|cloud)_[0-9]+\\.[a-z]+|camera\\.txt|gt/.*";
+  case SequenceLayout::Tum:
+    return "(rgb|depth)/.*|(rgb|depth|groundtruth|associations|camera)\\.txt";
+  default:
+    return "(clean|final|depth|camdata_left|flow|occlusions|invalid)/(" + scene +
+           "/.*)?";
+  }
+}
+
+void
+prepare (const SynthesizeOptions& options, OutputFolder& output)
+{
+  const std::string own = groupOf (options);
+  output.keep ([&own] (const std::string&, const std::string& group) {
+    return group != own && group.rfind ("sintel", 0) == 0 &&
+           own.rfind ("sintel", 0) == 0;
+  });
+  const std::regex pattern (patternOf (options));
+  output.check ({}, [&pattern] (const std::string& name) {
+    return std::regex_match (name, pattern);
+  });
+}
+
+int
+run (const SynthesizeOptions& given)
+{
+  SynthesizeOptions options = given;
+  { // refused before the work
+    OutputFolder output (options.folder, kProgram, groupOf (options));
+    prepare (options, output);
+  }
+  options.sequence.successive_truth = options.writing.layout == SequenceLayout::Sintel;
+  StopWatch watch;
+  const SyntheticSequence sequence = synthesize (options.sequence);
+  const double seconds = watch.lap();
+  OutputFolder output (options.folder, kProgram, groupOf (options));
+  prepare (options, output);
+  writeSequence (sequence, output.stage(), options.writing);
+  throwIfInterrupted();
+  output.finish();
+  std::printf ("%d frames of %s in %.2f s, written to %s\n",
+               options.sequence.frames,
+               toString (options.sequence.scene),
+               seconds,
+               options.folder.c_str());
+  return 0;
+}
+
+} // namespace
+
+int
+main (int argc, char** argv)
+{
+  const std::vector<std::string> words = withTwoDashes (argc, argv);
+  std::vector<const char*> pointers;
+  for (const std::string& word : words)
+    pointers.push_back (word.c_str());
+  return toolMain<SynthesizeOptions> (
+      {kProgram, kSummary, declareOptions, run}, argc, pointers.data());
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+// A live window on a scene flow: results or a sequence that is being solved.
+#include "common/command_line.h"
+#include "common/default_estimation.h"
+#include "common/interruption.h"
+#include "common/recordings.h"
+#include "common/result_folder.h"
+#include "common/tool_main.h"
+#include "view/window.h"
+#include <CLI/App.hpp>
+#include <pcl_msf/visualization/virtual_display.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace pcl_msf;
+using namespace pcl_msf::tool;
+
+struct ViewOptions {
+  std::string input;          ///< a result folder or a folder with frames
+  std::string sequence;       ///< a folder with the frames of a result folder
+  io::DatasetOptions reading; ///< of frames
+};
+
+constexpr const char* kSummary =
+    "A live window: clouds, segments, the warp and displacement arrows.\n\n"
+    "  pcl_msf_view FOLDER     frames; every one is solved to the next\n"
+    "  pcl_msf_view RESULT --sequence FOLDER    what pcl_msf_scene_flow wrote";
+
+void
+declareOptions (CLI::App& app, ViewOptions& options)
+{
+  addText (app, "FOLDER", "PATH", "frames, or a result", options.input)->required();
+  addText (app, "--sequence", "FOLDER", "frames of a result folder", options.sequence);
+  addReadingOptions (app, options.reading);
+  app.footer (std::string ("Keys:\n") + ViewWindow::keys());
+}
+
+/** Every pair that pcl_msf_scene_flow wrote. */
+SequenceSolver::Maker
+resultMaker (const ViewOptions& options, std::vector<ResultPair> pairs)
+{
+  if (options.sequence.empty())
+    throw UsageError ("--sequence: missing; a result is shown with its frames");
+  const auto frames = openFrames (options.sequence, options.reading);
+  return
+      [folder = options.input, frames, pairs] (int pair, const std::function<bool()>&) {
+        visualization::ResultClouds result = readResult (folder, pairs[pair]);
+        requireFrame (*frames, pairs[pair].current);
+        takeCurrent (frames->frame (pairs[pair].current), result);
+        return result;
+      };
+}
+
+/** Every frame to the next. */
+SequenceSolver::Maker
+pairMaker (std::shared_ptr<const io::RgbdSequence> frames)
+{
+  auto reference = std::make_shared<io::RgbdImages> (frames->frame (0));
+  if (!reference->note.empty())
+    complain ("pcl_msf_view", "warning: frame 0: " + reference->note);
+  return [frames, reference] (int pair, const std::function<bool()>& go_on) {
+    io::RgbdImages current = frames->frame (pair + 1);
+    visualization::ResultClouds result = estimatePair (*reference, current, go_on);
+    *reference = std::move (current);
+    return result;
+  };
+}
+
+std::unique_ptr<SequenceSolver>
+makeSolver (const ViewOptions& options)
+{
+  const std::vector<ResultPair> pairs = resultPairs (options.input);
+  if (!pairs.empty())
+    return std::make_unique<SequenceSolver> (static_cast<int> (pairs.size()),
+                                             resultMaker (options, pairs));
+  const auto frames = openFrames (options.input, options.reading);
+  return std::make_unique<SequenceSolver> (frames->frames() - 1, pairMaker (frames));
+}
+
+int
+run (const ViewOptions& options)
+{
+  std::shared_ptr<void> display; // is there as long as the window
+  const std::string problem = visualization::displayProblem (&display);
+  if (!problem.empty())
+    throw UsageError (problem + "; a live window needs one; pcl_msf_render makes "
+                                "pictures without");
+  const std::unique_ptr<SequenceSolver> solver = makeSolver (options);
+  ViewWindow window (*solver);
+  while (!interrupted() && window.spin()) {
+  }
+  if (!solver->problem().empty() && !interrupted())
+    throw std::runtime_error (solver->problem());
+  return interrupted() ? interruptedStatus() : 0;
+}
+
+} // namespace
+
+int
+main (int argc, char** argv)
+{
+  return toolMain<ViewOptions> (
+      {"pcl_msf_view", kSummary, declareOptions, run}, argc, argv);
+}

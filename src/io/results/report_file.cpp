@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "io/base/json.h"
+#include "io/base/output_file.h"
+#include <pcl_msf/io/result_files.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace pcl_msf::io {
+
+namespace {
+
+Json
+secondsOf (const Report& report, const RunSeconds& seconds)
+{
+  return {{"total", seconds.total},
+          {"load", seconds.load},
+          {"frame", seconds.frame},
+          {"segment", seconds.segment},
+          {"start", report.start_seconds},
+          {"solve", report.solve_seconds},
+          {"result", report.result_seconds},
+          {"write", seconds.write}};
+}
+
+Json
+changeOf (double initial, double final)
+{
+  return {{"initial", initial}, {"final", final}};
+}
+
+Json
+costOf (const EnergyCost& initial, const EnergyCost& final)
+{
+  Json cost = changeOf (initial.total(), final.total());
+  cost["per_term"] = {
+      {"brightness", changeOf (initial.brightness, final.brightness)},
+      {"icp", changeOf (initial.icp, final.icp)},
+      {"regularizer", changeOf (initial.regularizer, final.regularizer)},
+      {"prior", changeOf (initial.prior, final.prior)},
+      {"concatenation", changeOf (initial.concatenation, final.concatenation)}};
+  return cost;
+}
+
+Json
+historyOf (const std::vector<IterationRecord>& records)
+{
+  Json history = Json::array();
+  for (const IterationRecord& record : records)
+    history.push_back ({{"level", record.level},
+                        {"energy", record.energy},
+                        {"cost", record.cost},
+                        {"brightness", record.terms.brightness},
+                        {"icp", record.terms.icp},
+                        {"regularizer", record.terms.regularizer},
+                        {"prior", record.terms.prior},
+                        {"concatenation", record.terms.concatenation},
+                        {"seconds", record.seconds}});
+  return history;
+}
+
+Json
+rowsOf (const Eigen::Matrix4f& matrix)
+{
+  Json rows = Json::array();
+  for (int row = 0; row < 4; ++row)
+    rows.push_back (
+        {matrix (row, 0), matrix (row, 1), matrix (row, 2), matrix (row, 3)});
+  return rows;
+}
+
+long
+countStatus (const SceneFlow& flow, MotionStatus status)
+{
+  return std::count_if (flow.segments.begin(), flow.segments.end(), [status] (auto& s) {
+    return s.status == status;
+  });
+}
+
+} // namespace
+
+std::string
+reportJson (const SceneFlow& flow, const RunSeconds& seconds, int frames)
+{
+  const Report& report = flow.report;
+  return jsonText (
+      {{"frames", frames},
+       {"width", flow.labels.cols},
+       {"height", flow.labels.rows},
+       {"segments", flow.segments.size()},
+       {"undetermined_segments", countStatus (flow, MotionStatus::Undetermined)},
+       {"bodies", flow.bodies},
+       {"iterations", report.iterations},
+       {"converged", report.converged},
+       {"stop_reason", toString (report.stop_reason)},
+       {"message", report.message},
+       {"seconds", secondsOf (report, seconds)},
+       {"cost", costOf (report.initial_cost, report.final_cost)},
+       {"history", historyOf (report.history)},
+       {"dominant_motion", rowsOf (flow.dominant_motion.matrix())}});
+}
+
+void
+writeReport (const std::string& path,
+             const SceneFlow& flow,
+             const RunSeconds& seconds,
+             int frames)
+{
+  const std::string text = reportJson (flow, seconds, frames);
+  writeBytes (path, text.data(), text.size());
+}
+
+} // namespace pcl_msf::io

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <gtest/gtest.h>
+
+#include "support/standing_room.h"
+#include <gmock/gmock.h>
+#include <pcl_msf/errors.h>
+#include <pcl_msf/scene_flow_estimator.h>
+#include <pcl_msf/scene_flow_tracker.h>
+
+#include <cmath>
+#include <cstring>
+#include <map>
+
+namespace {
+
+using namespace pcl_msf;
+using test::distanceToTruth;
+using test::standingRoom;
+
+constexpr int kFrames = 6;
+
+SceneFlowTracker
+makeTracker (const TrackerParameters& parameters)
+{
+  return SceneFlowTracker (parameters, {}, {}, {}, {});
+}
+
+TEST (SceneFlowTracker, FollowsTheCameraWithABoundedWindow)
+{
+  const test::AnalyticScene scene = standingRoom();
+  TrackerParameters parameters;
+  parameters.window = 3;
+  SceneFlowTracker tracker = makeTracker (parameters);
+  int frame = 0;
+  for (const test::View& view : test::renderWindow (scene, kFrames)) {
+    tracker.add (scene.frame (view));
+    EXPECT_LE (tracker.frames(), 3);
+    EXPECT_LT (distanceToTruth (scene, frame, tracker.cameraPose()),
+               0.004 * (1 + frame));
+    ++frame;
+  }
+  EXPECT_EQ (tracker.firstFrame(), 0) << "it still explains the frames";
+  EXPECT_EQ (tracker.frameIndex (1), kFrames - 2);
+  EXPECT_EQ (tracker.frameIndex (2), kFrames - 1);
+  EXPECT_EQ (tracker.result().frames.size(), 3U);
+  EXPECT_FALSE (tracker.sceneFlow().flow.empty());
+}
+
+/** Every segment of `before` lies in one segment of `after`. */
+bool
+onlyMerged (const cv::Mat& before, const cv::Mat& after)
+{
+  std::map<int, int> now;
+  for (int y = 0; y < before.rows; ++y)
+    for (int x = 0; x < before.cols; ++x) {
+      const int merged = after.at<int> (y, x);
+      if (now.emplace (before.at<int> (y, x), merged).first->second != merged)
+        return false;
+    }
+  return true;
+}
+
+TEST (SceneFlowTracker, SegmentsMergeAndNeverSplit)
+{
+  const test::AnalyticScene scene = standingRoom();
+  for (const bool merge : {true, false}) {
+    TrackerParameters parameters;
+    parameters.window = 3;
+    parameters.merge_segments = merge;
+    SceneFlowTracker tracker = makeTracker (parameters);
+    cv::Mat labels;
+    int first = 0;
+    for (const test::View& view : test::renderWindow (scene, kFrames)) {
+      tracker.add (scene.frame (view));
+      ASSERT_EQ (tracker.firstFrame(), 0);
+      const cv::Mat now = tracker.segments().labels();
+      EXPECT_TRUE (labels.empty() || onlyMerged (labels, now));
+      labels = now.clone();
+      first = first == 0 ? tracker.segments().size() : first;
+    }
+    if (merge)
+      EXPECT_LT (tracker.segments().size(), first);
+    else
+      EXPECT_EQ (tracker.segments().size(), first);
+    EXPECT_LT (distanceToTruth (scene, kFrames - 1, tracker.cameraPose()), 0.02);
+  }
+}
+
+TEST (SceneFlowTracker, SameFramesSameBits)
+{
+  const test::AnalyticScene scene = standingRoom();
+  std::vector<cv::Mat> flows;
+  for (const unsigned threads : {1U, 2U}) {
+    SolverParameters solver;
+    solver.threads = threads;
+    TrackerParameters parameters;
+    parameters.window = 3;
+    SceneFlowTracker tracker (parameters, {}, {}, solver, {});
+    for (const test::View& view : test::renderWindow (scene, 4))
+      tracker.add (scene.frame (view));
+    flows.push_back (tracker.sceneFlow().flow);
+  }
+  int different = 0;
+  for (int y = 0; y < flows[0].rows; ++y)
+    for (int x = 0; x < flows[0].cols; ++x)
+      different += std::memcmp (&flows[0].at<cv::Vec2f> (y, x),
+                                &flows[1].at<cv::Vec2f> (y, x),
+                                sizeof (cv::Vec2f)) != 0;
+  EXPECT_EQ (different, 0);
+}
+
+TEST (SceneFlowTracker, BeginsAnewWhenReferenceAndFrameShowTooLittleOfEachOther)
+{
+  const test::AnalyticScene scene = test::roomWithBox();
+  for (double TrackerParameters::*least :
+       {&TrackerParameters::least_visible, &TrackerParameters::least_explained}) {
+    TrackerParameters parameters;
+    parameters.window = 4;
+    parameters.*least = 1.0; // never satisfied
+    SceneFlowTracker tracker = makeTracker (parameters);
+    int frame = 0;
+    for (const test::View& view : test::renderWindow (scene, 4)) {
+      tracker.add (scene.frame (view));
+      EXPECT_LT (distanceToTruth (scene, frame, tracker.cameraPose()),
+                 0.004 * (1 + frame));
+      ++frame;
+    }
+    EXPECT_EQ (tracker.frames(), 2);
+    EXPECT_EQ (tracker.firstFrame(), 2);
+  }
+}
+
+TEST (SceneFlowTracker, RefusesAFrameWithoutColorAmongColoredOnes)
+{
+  const test::AnalyticScene scene = standingRoom();
+  const std::vector<test::View> views = test::renderWindow (scene, 2);
+  SceneFlowTracker tracker = makeTracker ({});
+  tracker.add (scene.frame (views[0]));
+  EXPECT_THROW (
+      tracker.add (RgbdFrame::fromImages (cv::Mat(), views[1].depth, scene.camera)),
+      InvalidInput);
+  EXPECT_EQ (tracker.frames(), 1);
+}
+
+TEST (SceneFlowTracker, WindowOfTwoGoesFromFrameToFrame)
+{
+  const test::AnalyticScene scene = standingRoom();
+  TrackerParameters parameters;
+  parameters.window = 2;
+  SceneFlowTracker tracker = makeTracker (parameters);
+  std::vector<RgbdFrame> frames;
+  RigidPose last_step;
+  for (const test::View& view : test::renderWindow (scene, 3)) {
+    frames.push_back (scene.frame (view));
+    tracker.add (frames.back());
+    if (frames.size() < 2)
+      continue;
+    const SceneFlow pair = SceneFlowEstimator().estimate (
+        frames[frames.size() - 2], frames.back(), tracker.segments(), last_step);
+    EXPECT_EQ (cv::norm (tracker.sceneFlow().flow, pair.flow, cv::NORM_INF), 0.0);
+    EXPECT_EQ (tracker.sceneFlow().report.iterations, pair.report.iterations);
+    last_step = pair.dominant_motion;
+  }
+  EXPECT_EQ (tracker.frames(), 2);
+  EXPECT_EQ (tracker.firstFrame(), 1);
+}
+
+TEST (SceneFlowTracker, RefusesBadInputAndStaysAsItWas)
+{
+  TrackerParameters bad;
+  bad.window = 1;
+  EXPECT_THROW (makeTracker (bad), InvalidInput);
+  const test::AnalyticScene scene = test::roomWithBox();
+  SceneFlowTracker tracker = makeTracker ({});
+  EXPECT_THROW (tracker.add (RgbdFrame{}), InvalidInput);
+  const auto views = test::renderWindow (scene, 2);
+  tracker.add (scene.frame (views[0]));
+  test::AnalyticScene small = scene;
+  small.width = 80;
+  small.height = 60;
+  EXPECT_THROW (tracker.add (small.frame (small.render (true))), InvalidInput);
+  EXPECT_EQ (tracker.frames(), 1);
+  tracker.add (scene.frame (views[1]));
+  EXPECT_EQ (tracker.frames(), 2);
+  tracker.reset();
+  EXPECT_EQ (tracker.frames(), 0);
+  EXPECT_EQ (tracker.cameraPose().parameters, RigidPose{}.parameters);
+}
+
+} // namespace

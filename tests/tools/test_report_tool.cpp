@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <gtest/gtest.h>
+
+#include "support/run_tool.h"
+#include <gmock/gmock.h>
+#include <pcl_msf/io/folders.h>
+#include <pcl_msf/io/result_files.h>
+
+namespace {
+
+using namespace pcl_msf;
+using namespace pcl_msf::testing;
+using ::testing::HasSubstr;
+
+const std::string kTool = std::string (PCL_MSF_TOOLS "/pcl_msf_report") + " ";
+
+TEST (ReportTool, WritesAPageOverFoldersAndTables)
+{
+  const TemporaryFolder folder;
+  SceneFlow flow;
+  flow.labels = cv::Mat (4, 6, CV_32SC1, cv::Scalar (0));
+  for (const char* name : {"runs/a", "runs/b"}) {
+    io::makeFolder (folder (name));
+    io::writeReport (folder (std::string (name) + "/report.json"), flow, {});
+  }
+  writeFile (folder ("t.csv"), "scene,EPE\nroom,0.25\n");
+  const ToolRun done =
+      runTool (folder,
+               kTool + folder ("runs") + " --csv " + folder ("t.csv") +
+                   " --title Mine --output " + folder ("page/index.html"));
+  ASSERT_EQ (done.status, 0) << done.err;
+  EXPECT_THAT (done.out, HasSubstr ("results 2, tables 1"));
+  const std::string page = readFile (folder ("page/index.html"));
+  EXPECT_THAT (page, HasSubstr ("<h1>Mine</h1>"));
+  EXPECT_THAT (page, HasSubstr ("<td class=\"number\">0.25</td>"));
+  EXPECT_THAT (page, HasSubstr ("id=\"entry1\""));
+}
+
+TEST (ReportTool, RefusesInOneLine)
+{
+  const TemporaryFolder folder;
+  for (const std::string& arguments : {std::string(),
+                                       folder (""),
+                                       "--csv " + folder ("none.csv"),
+                                       std::string ("--x")}) {
+    const ToolRun refused = runTool (folder, kTool + arguments);
+    EXPECT_EQ (refused.status, 1) << arguments;
+    EXPECT_EQ (refused.errorLines(), 1) << refused.err;
+  }
+  EXPECT_EQ (runTool (folder, kTool + "--help").status, 0);
+}
+
+} // namespace
