@@ -34,6 +34,8 @@ addOutputs (CLI::App& app, Outputs& outputs)
 {
   const auto take = [&outputs] (const std::string& text) {
     Outputs wanted{false, false, false, false, false, false, false};
+    if (text.empty() || text.back() == ',')
+      return false;
     for (const std::string& word : splitAtCommas (text)) {
       bool* const output = outputOf (word, wanted);
       if (word == "all")
