@@ -28,6 +28,9 @@ refusal (const CLI::App& app, const CLI::ParseError& error)
                      ": no such option; --help lists them"
                : "'" + word + "': one word too many; options have --";
   }
+  if (dynamic_cast<const CLI::ConversionError*> (&error) != nullptr)
+    return text.substr (text.find ("--")) +
+           ": no value of this option; --help lists it";
   if (dynamic_cast<const CLI::RequiredError*> (&error) != nullptr)
     return text + "; --help shows the syntax";
   return text;

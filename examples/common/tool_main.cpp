@@ -69,6 +69,7 @@ runWithOptions (const std::string& program,
                 const std::string& summary,
                 const std::function<void (CLI::App&)>& declare,
                 const std::function<int()>& run,
+                bool needs_arguments,
                 int argc,
                 const char* const* argv)
 {
@@ -78,7 +79,7 @@ runWithOptions (const std::string& program,
     app.formatter (std::make_shared<HelpFormatter>());
     app.get_formatter()->column_width (34);
     declare (app);
-    if (argc < 2) {
+    if (argc < 2 && needs_arguments) {
       std::fputs (app.help().c_str(), stdout);
       return 1;
     }

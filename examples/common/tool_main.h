@@ -29,6 +29,7 @@ runWithOptions (const std::string& program,
                 const std::string& summary,
                 const std::function<void (CLI::App&)>& declare,
                 const std::function<int()>& run,
+                bool needs_arguments,
                 int argc,
                 const char* const* argv);
 
@@ -39,6 +40,7 @@ struct Tool {
   const char* summary;                            ///< head of the help
   void (*declare) (CLI::App& app, Options& into); ///< adds the options
   int (*run) (const Options& options);
+  bool needs_arguments{true}; ///< else help without any
 };
 
 /** \brief The main() of a tool. Returns the exit status. */
@@ -52,6 +54,7 @@ toolMain (const Tool<Options>& tool, int argc, const char* const* argv)
       tool.summary,
       [&] (CLI::App& app) { tool.declare (app, options); },
       [&] { return tool.run (options); },
+      tool.needs_arguments,
       argc,
       argv);
 }

@@ -125,5 +125,5 @@ int
 main (int argc, char** argv)
 {
   return tool::toolMain<ReportOptions> (
-      {"pcl_msf_report", kSummary, declareOptions, run}, argc, argv);
+      {"pcl_msf_report", kSummary, declareOptions, run, false}, argc, argv);
 }
