@@ -15,6 +15,11 @@ pcl_msf_require (Ceres libceres-dev)
 pcl_msf_require (Threads libc6-dev)
 pcl_msf_require (OpenCV libopencv-dev COMPONENTS core imgproc video imgcodecs
   OPTIONAL_COMPONENTS ximgproc optflow)
+# Header-only, and seen by the project's own sources alone.
+pcl_msf_require (nlohmann_json nlohmann-json3-dev)
+if (PCL_MSF_BUILD_EXAMPLES)
+  pcl_msf_require (CLI11 libcli11-dev)
+endif ()
 
 set (PCL_MSF_XIMGPROC "") # the target
 set (PCL_MSF_XIMGPROC_NAME "")

@@ -6,10 +6,10 @@
 set -euo pipefail
 
 packages=(cmake g++ make libeigen3-dev libpcl-dev libceres-dev libopencv-dev
-          libopencv-contrib-dev libvtk9-dev xvfb)
+          libopencv-contrib-dev libvtk9-dev libcli11-dev nlohmann-json3-dev xvfb)
 case "${1:-}" in
   "") ;;
-  --tests) packages+=(libgtest-dev libgmock-dev) ;;
+  --tests) packages+=(libgtest-dev libgmock-dev parallel openmpi-bin) ;;
   *) echo "usage: bash cmake/install_dependencies.sh [--tests]" >&2; exit 2 ;;
 esac
 

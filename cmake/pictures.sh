@@ -36,6 +36,13 @@ small "$work/result/overview_0.png" overview.png -resize 900x
 for picture in before_tints after_tints arrows motions; do
   small "$work/$picture.png" "$picture.png"
 done
+# A failure: a sheet that bends and moves by 80 pixels; its ends are lost.
+"$bin/pcl_msf_synthesize" "$work/fast" --scene bending --motion-pixels 80 --frames 2 \
+  --width 320 --height 240 --depth png --seed 4
+"$bin/pcl_msf_scene_flow" "$work/fast" --window 2 --quiet --output "$work/lost"
+convert "$work/lost/overlay_0_1.png" "$work/lost/residual_0_1.png" "$work/lost/motions_0.png" \
+  -background white -bordercolor white -border 4x0 +append "$work/lost.png"
+small "$work/lost.png" failure.png -resize 790x
 for picture in "$source_dir"/examples/pictures/*.png; do
   printf '%7d bytes  %s\n' "$(stat -c %s "$picture")" "${picture#"$source_dir"/}"
 done

@@ -2,87 +2,128 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "common/command_line.h"
 
-#include <pcl/console/print.h>
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace pcl_msf::tool {
 
 namespace {
 
-const Option&
-findOption (const std::vector<OptionGroup>& groups, const std::string& name)
+/** What CLI11 refuses, in the words of the tools: the option, then the remedy. */
+std::string
+refusal (const CLI::App& app, const CLI::ParseError& error)
 {
-  for (const OptionGroup& group : groups)
-    for (const Option& option : group.options)
-      if (option.name == name || (name == "-h" && option.name == "--help"))
-        return option;
-  throw UsageError (name + ": no such option; --help lists them");
+  const std::string text = error.what();
+  const std::string name = text.substr (0, text.find (':'));
+  if (dynamic_cast<const CLI::ArgumentMismatch*> (&error) != nullptr)
+    return name + ": needs a value; --help lists the options";
+  if (dynamic_cast<const CLI::ExtrasError*> (&error) != nullptr) {
+    const std::string word = app.remaining().front();
+    return word.rfind ('-', 0) == 0
+               ? word.substr (0, word.find ('=')) +
+                     ": no such option; --help lists them"
+               : "'" + word + "': one word too many; options have --";
+  }
+  if (dynamic_cast<const CLI::RequiredError*> (&error) != nullptr)
+    return text + "; --help shows the syntax";
+  return text;
 }
 
 } // namespace
 
-void
-readCommandLine (int argc,
-                 const char* const* argv,
-                 const std::vector<OptionGroup>& groups,
-                 const std::function<void (const std::string&)>& take_word)
+CLI::Option*
+addOption (CLI::App& app,
+           const std::string& name,
+           const std::string& type,
+           const std::string& help,
+           std::function<bool (const std::string&)> take,
+           const std::string& preset)
 {
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word.rfind ("-", 0) != 0) {
-      take_word (word);
-      continue;
-    }
-    const std::size_t equals = word.find ('=');
-    const std::string name = word.substr (0, equals);
-    const Option& option = findOption (groups, name);
-    std::string value =
-        equals == std::string::npos ? std::string() : word.substr (equals + 1);
-    if (!option.argument.empty() && equals == std::string::npos) {
-      if (i + 1 >= argc)
-        throw UsageError (name + ": needs a value, " + option.argument);
-      value = argv[++i];
-    }
-    else if (option.argument.empty() && equals != std::string::npos)
-      throw UsageError (name + ": takes no value");
-    if (!option.set (value))
-      throw UsageError (name + ": '" + value + "' is no " + option.argument + "; " +
-                        option.help);
+  const auto read = [name, type, help, take] (const CLI::results_t& values) {
+    if (!take (values.back()))
+      throw UsageError (name + ": '" + values.back() + "' is no " + type + "; " + help);
+    return true;
+  };
+  CLI::Option* option = app.add_option (name, read, help);
+  return option->type_name (type)->default_str (preset)->multi_option_policy (
+      CLI::MultiOptionPolicy::TakeLast);
+}
+
+CLI::Option*
+addText (CLI::App& app,
+         const std::string& name,
+         const std::string& type,
+         const std::string& help,
+         std::string& value)
+{
+  const auto take = [&value] (const std::string& text) {
+    value = text;
+    return !text.empty();
+  };
+  return addOption (app, name, type, help, take, value);
+}
+
+CLI::Option*
+addTexts (CLI::App& app,
+          const std::string& name,
+          const std::string& type,
+          const std::string& help,
+          std::vector<std::string>& values)
+{
+  const auto read = [name, &values] (const CLI::results_t& given) {
+    values = given;
+    if (std::find (given.begin(), given.end(), "") != given.end())
+      throw UsageError (name + ": '' is no name; give one");
+    return true;
+  };
+  const bool positional = name.rfind ("--", 0) != 0;
+  return app.add_option (name, read, help)
+      ->type_name (type)
+      ->expected (-1)
+      ->allow_extra_args (positional)
+      ->multi_option_policy (CLI::MultiOptionPolicy::TakeAll);
+}
+
+CLI::Option*
+addFlag (CLI::App& app, const std::string& name, const std::string& help, bool& value)
+{
+  return app.add_flag (name, value, help);
+}
+
+CLI::Option*
+addSwitch (CLI::App& app, const std::string& name, const std::string& help, bool& value)
+{
+  return addWord<bool> (app, name, help, value, {{"0", false}, {"1", true}});
+}
+
+void
+beginGroup (CLI::App& app, const std::string& title)
+{
+  app.option_defaults()->group (title);
+}
+
+bool
+readCommandLine (CLI::App& app, const std::vector<std::string>& words)
+{
+  for (const std::string& word : words) // CLI11 would take the next word in its place
+    if (word.rfind ("--", 0) == 0 && word.back() == '=')
+      throw UsageError (word.substr (0, word.size() - 1) +
+                        ": needs a value; --help lists the options");
+  try {
+    app.parse (std::vector<std::string> (words.rbegin(), words.rend()));
   }
-}
-
-void
-printOptions (const std::vector<OptionGroup>& groups)
-{
-  using namespace pcl::console;
-  for (const OptionGroup& group : groups) {
-    print_info ("\n%s:\n", group.title.c_str());
-    for (const Option& option : group.options) {
-      print_value ("  %-22s %-12s", option.name.c_str(), option.argument.c_str());
-      print_info (" %s\n", option.help.c_str());
-    }
+  catch (const CLI::CallForHelp&) {
+    std::fputs (app.help().c_str(), stdout);
+    return false;
   }
-}
-
-void
-CommandLine::read (int argc, const char* const* argv) const
-{
-  readCommandLine (argc, argv, {{{}, options}}, take_word);
-}
-
-void
-CommandLine::printHelp() const
-{
-  std::printf ("%s\n\n", summary.c_str());
-  for (std::size_t i = 0; i < syntax.size(); ++i)
-    std::printf ("%s %s\n", i == 0 ? "Syntax:" : "    or:", syntax[i].c_str());
-  std::printf ("\n");
-  for (const Option& option : options)
-    std::printf ("  %-16s %-14s %s\n",
-                 option.name.c_str(),
-                 option.argument.c_str(),
-                 option.help.c_str());
+  catch (const CLI::ParseError& error) {
+    throw UsageError (refusal (app, error));
+  }
+  return true;
 }
 
 } // namespace pcl_msf::tool

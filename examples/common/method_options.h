@@ -5,8 +5,6 @@
 #include "common/command_line.h"
 #include <pcl_msf/parameters.h>
 
-#include <vector>
-
 namespace pcl_msf::tool {
 
 /** \brief The method's parameters for two frames. */
@@ -17,8 +15,9 @@ struct MethodSettings {
   SolverParameters solver;
 };
 
-/** \brief Their options, bound to the fields of `settings`, which must outlive them. */
-std::vector<OptionGroup>
-methodOptions (MethodSettings& settings);
+/** \brief Adds their options, bound to the fields of `settings`, which must outlive the
+ * application. */
+void
+addMethodOptions (CLI::App& app, MethodSettings& settings);
 
 } // namespace pcl_msf::tool

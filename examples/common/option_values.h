@@ -7,16 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace pcl_msf::tool {
-
-using Setter = std::function<bool (const std::string&)>;
 
 /** \brief The whole text as one finite number, independent of the locale. */
 template <typename Number>
@@ -33,53 +31,53 @@ parse (const std::string& text, Number& value)
   return true;
 }
 
-template <typename Number>
-Setter
-number (Number& value)
+/** \brief The words, joined. */
+template <typename Value>
+std::string
+wordList (const std::vector<std::pair<std::string, Value>>& words,
+          const std::string& separator)
 {
-  return [&value] (const std::string& text) { return parse (text, value); };
+  std::string list;
+  for (const auto& word : words)
+    list += (list.empty() ? "" : separator) + word.first;
+  return list;
 }
 
-/** \brief Any text but an empty one. */
-inline Setter
-text (std::string& value)
+/** \brief The word for a value; empty when there is none. */
+template <typename Value>
+std::string
+wordOf (const Value& value, const std::vector<std::pair<std::string, Value>>& words)
 {
-  return [&value] (const std::string& given) {
-    value = given;
-    return !given.empty();
-  };
+  for (const auto& [word, meaning] : words)
+    if (meaning == value)
+      return word;
+  return {};
 }
 
-/** \brief For a switch. */
-inline Setter
-flag (bool& value)
+/** \brief One of several words; false when the text is none of them. */
+template <typename Value>
+bool
+choose (const std::string& text,
+        const std::vector<std::pair<std::string, Value>>& words,
+        Value& value)
 {
-  return [&value] (const std::string&) { return value = true; };
+  for (const auto& [word, meaning] : words)
+    if (word == text) {
+      value = meaning;
+      return true;
+    }
+  return false;
 }
 
-/** \brief "0" or "1". */
-inline Setter
-boolean (bool& value)
+/** \brief "A,B,..." */
+inline std::vector<std::string>
+splitAtCommas (const std::string& text)
 {
-  return [&value] (const std::string& text) {
-    value = text == "1";
-    return text == "0" || text == "1";
-  };
-}
-
-/** \brief One of several words. */
-template <typename Enum>
-Setter
-choice (Enum& value, const std::vector<std::pair<std::string, Enum>>& words)
-{
-  return [&value, words] (const std::string& text) {
-    for (const auto& [word, meaning] : words)
-      if (word == text) {
-        value = meaning;
-        return true;
-      }
-    return false;
-  };
+  std::vector<std::string> words;
+  std::istringstream stream (text);
+  for (std::string word; std::getline (stream, word, ',');)
+    words.push_back (word);
+  return words;
 }
 
 /** \brief Numbers parted by one character, all of them. */
@@ -111,32 +109,6 @@ parseCamera (const std::string& text, PinholeCamera& camera)
   camera.cx = numbers[2];
   camera.cy = numbers[3];
   return true;
-}
-
-/** \brief A camera that need not be given. */
-inline Setter
-camera (std::optional<PinholeCamera>& value)
-{
-  return [&value] (const std::string& text) {
-    return parseCamera (text, value.emplace());
-  };
-}
-
-/** \brief A number that need not be given, above 0. */
-inline Setter
-positive (std::optional<double>& value)
-{
-  return [&value] (const std::string& text) {
-    return parse (text, value.emplace()) && *value > 0.0;
-  };
-}
-
-/** \brief A number above zero. */
-inline Setter
-positive (double& value)
-{
-  return
-      [&value] (const std::string& text) { return parse (text, value) && value > 0.0; };
 }
 
 } // namespace pcl_msf::tool

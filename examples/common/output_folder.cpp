@@ -26,16 +26,6 @@ placeOfUnfinished (const std::string& folder)
   return (fs::path (folder) / "unfinished").string();
 }
 
-std::string
-makeStage (const std::string& folder, const std::string& tool)
-{
-  io::makeFolder (folder);
-  std::string stage = (fs::path (folder) / ("." + tool + ".XXXXXX")).string();
-  if (mkdtemp (stage.data()) == nullptr)
-    throw IoError (folder + ": the folder may not be written to; choose another");
-  return stage;
-}
-
 /** Names below a folder of all that is no folder, sorted; hidden ones are left out.
  * \param enter which folders to look into, by "name/" */
 std::vector<std::string>
@@ -95,7 +85,7 @@ OutputFolder::OutputFolder (std::string folder, std::string tool, std::string gr
 : folder_ (std::move (folder))
 , tool_ (std::move (tool))
 , group_ (oneWord (std::move (group)))
-, stage_ (makeStage (folder_, tool_))
+, stage_ (folder_, tool_)
 , manifest_ (folder_, tool_)
 {
   keep ([] (const std::string&, const std::string&) { return false; });
@@ -110,8 +100,6 @@ OutputFolder::~OutputFolder()
   catch (const std::exception&) { // the user's files are in the way there, too
     waiting_.clear();
   }
-  std::error_code ignored;
-  fs::remove_all (stage_, ignored);
 }
 
 void
@@ -119,9 +107,9 @@ OutputFolder::keepUnfinished()
 {
   OutputFolder unfinished (placeOfUnfinished (folder_), tool_, group_);
   for (const std::string& name : waiting_) {
-    const fs::path target = fs::path (unfinished.stage_) / name;
+    const fs::path target = fs::path (unfinished.stage()) / name;
     io::makeFolder (target.parent_path().string());
-    fs::rename (fs::path (stage_) / name, target);
+    fs::rename (fs::path (stage()) / name, target);
   }
   unfinished.finish();
 }
@@ -151,14 +139,14 @@ OutputFolder::check (const InputFiles& inputs,
 std::string
 OutputFolder::locate (const std::string& name) const
 {
-  const fs::path staged = fs::path (stage_) / name;
+  const fs::path staged = fs::path (stage()) / name;
   return (fs::exists (staged) ? staged : fs::path (folder_) / name).string();
 }
 
 void
 OutputFolder::publish()
 {
-  waiting_ = filesBelow (stage_);
+  waiting_ = filesBelow (stage());
   if (!earlier_.empty())
     return;
   requireOwn (waiting_);
@@ -169,7 +157,7 @@ OutputFolder::publish()
 void
 OutputFolder::finish()
 {
-  const std::vector<std::string> names = filesBelow (stage_);
+  const std::vector<std::string> names = filesBelow (stage());
   requireOwn (names);
   move (names);
   waiting_.clear();
@@ -196,11 +184,11 @@ OutputFolder::requireOwn (const std::vector<std::string>& names) const
 void
 OutputFolder::move (const std::vector<std::string>& names)
 {
-  manifest_.add (names, stage_, group_);
+  manifest_.add (names, stage(), group_);
   for (const std::string& name : names) {
     const fs::path target = fs::path (folder_) / name;
     io::makeFolder (target.parent_path().string());
-    fs::rename (fs::path (stage_) / name, target);
+    fs::rename (fs::path (stage()) / name, target);
   }
 }
 

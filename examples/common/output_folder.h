@@ -4,6 +4,7 @@
 
 #include "common/input_files.h"
 #include "common/output_manifest.h"
+#include "common/stage_folder.h"
 
 #include <functional>
 #include <string>
@@ -18,7 +19,8 @@ namespace pcl_msf::tool {
  * until then they stay as they are and the new ones wait. When there are none, new
  * files appear as they are published. A file that the tool has not written, or that was
  * changed since, is neither replaced nor removed. A run that fails leaves what it had
- * published beside the earlier results, in `unfinished`. */
+ * published beside the earlier results, in `unfinished`. The stage of a run that was
+ * killed goes when the tool writes into the folder again. */
 class OutputFolder {
 public:
   /** \brief Which file of an earlier run stays, by its name and group. */
@@ -51,7 +53,7 @@ public:
   const std::string&
   stage () const
   {
-    return stage_;
+    return stage_.path();
   }
 
   /** \brief Where a file of this run is at present. */
@@ -79,7 +81,7 @@ private:
   std::string folder_;
   std::string tool_;
   std::string group_;
-  std::string stage_;
+  StageFolder stage_;
   Keep keep_;
   OutputManifest manifest_;
   std::vector<std::string> earlier_; ///< names that are to go in the end

@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "common/recordings.h"
 
-#include "common/option_values.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <regex>
@@ -34,27 +32,60 @@ resultPairs (const std::string& folder)
   return pairs;
 }
 
-std::vector<Option>
-readingOptions (io::DatasetOptions& options)
+CLI::Option*
+addCamera (CLI::App& app, const std::string& help, std::optional<PinholeCamera>& value)
 {
-  return {{"--camera",
-           "FX,FY,CX,CY",
-           "pinhole camera of the frames, pixels [their own]",
-           camera (options.camera)},
-          {"--depth-scale",
-           "S",
-           "units per metre of the frames' 16-bit depth [their own]",
-           positive (options.depth_scale)}};
+  return addOption (
+      app, "--camera", "FX,FY,CX,CY", help, [&value] (const std::string& text) {
+        return parseCamera (text, value.emplace());
+      });
+}
+
+CLI::Option*
+addDepthScale (CLI::App& app, const std::string& help, std::optional<double>& value)
+{
+  return addOption (
+      app, "--depth-scale", "S", help, [&value] (const std::string& text) {
+        return parse (text, value.emplace()) && *value > 0.0;
+      });
+}
+
+CLI::Option*
+addMaxTimeDifference (CLI::App& app, const std::string& help, double& value)
+{
+  const auto take = [&value] (const std::string& text) {
+    return parse (text, value) && value > 0.0;
+  };
+  return addOption (
+      app, "--max-time-difference", "SECONDS", help, take, presetText (value));
+}
+
+void
+addReadingOptions (CLI::App& app, io::DatasetOptions& options)
+{
+  addCamera (app, "pinhole camera of the frames, pixels [their own]", options.camera);
+  addDepthScale (app,
+                 "units per metre of the frames' 16-bit depth [their own]",
+                 options.depth_scale);
 }
 
 std::shared_ptr<const io::RgbdSequence>
 openFrames (const std::string& path, const io::DatasetOptions& options)
 {
-  const auto sequences = io::openDataset ("auto", path, options);
+  const auto sequences = io::openDataset (io::DatasetKind::Automatic, path, options);
   if (sequences.size() != 1)
     throw UsageError ("'" + path + "': holds " + std::to_string (sequences.size()) +
                       " sequences; give one of their folders");
   return sequences.front();
+}
+
+void
+requireFrame (const io::RgbdSequence& frames, int frame)
+{
+  if (frame >= frames.frames())
+    throw UsageError (frames.name() + " has " + std::to_string (frames.frames()) +
+                      " frames, there is no frame " + std::to_string (frame) +
+                      "; choose another by --frame, --reference or --window");
 }
 
 } // namespace pcl_msf::tool

@@ -6,6 +6,7 @@
 #include <pcl_msf/io/datasets.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,12 +23,28 @@ struct ResultPair {
 std::vector<ResultPair>
 resultPairs (const std::string& folder);
 
-/** \brief Options of what a recording does not say of itself. */
-std::vector<Option>
-readingOptions (io::DatasetOptions& options);
+/** \brief Adds --camera FX,FY,CX,CY. */
+CLI::Option*
+addCamera (CLI::App& app, const std::string& help, std::optional<PinholeCamera>& value);
+
+/** \brief Adds --depth-scale, units per metre, above 0. */
+CLI::Option*
+addDepthScale (CLI::App& app, const std::string& help, std::optional<double>& value);
+
+/** \brief Adds --max-time-difference, seconds, above 0. */
+CLI::Option*
+addMaxTimeDifference (CLI::App& app, const std::string& help, double& value);
+
+/** \brief Adds the options of what a recording does not say of itself. */
+void
+addReadingOptions (CLI::App& app, io::DatasetOptions& options);
 
 /** \brief The recording in a folder. \throws IoError, UsageError unless it is one */
 std::shared_ptr<const io::RgbdSequence>
 openFrames (const std::string& path, const io::DatasetOptions& options);
+
+/** \throws UsageError when a recording has no such frame */
+void
+requireFrame (const io::RgbdSequence& frames, int frame);
 
 } // namespace pcl_msf::tool

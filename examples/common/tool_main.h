@@ -5,6 +5,10 @@
 #include <functional>
 #include <string>
 
+namespace CLI {
+class App;
+}
+
 namespace pcl_msf::tool {
 
 /** \brief One line on stderr, "program: message", whatever the message holds. */
@@ -12,43 +16,44 @@ void
 complain (const std::string& program, std::string message);
 
 /** \brief Runs `work` and returns its exit status. What it throws becomes one line on
- * stderr and the status 1, that of the signal for Interrupted. OpenCV's own messages
+ * stderr and the status 1, that of the signal after one. OpenCV's own messages
  * would stand beside that line and are turned off. */
 int
 runTool (const std::string& program, const std::function<int()>& work);
 
-/** \brief Turns off PCL's messages, too, and notes signals: the help is behind us. */
-void
-beginWork ();
+/** \brief Reads a command line and does a tool's work: help without arguments (status
+ * 1) or when asked for, else `run` with PCL's messages off and signals noted. \return
+ * exit status \param declare adds the options \param summary head of the help */
+int
+runWithOptions (const std::string& program,
+                const std::string& summary,
+                const std::function<void (CLI::App&)>& declare,
+                const std::function<int()>& run,
+                int argc,
+                const char* const* argv);
 
-/** \brief What a tool with `Options` is made of; Options::help asks for the help. */
+/** \brief What a tool with `Options` is made of. */
 template <typename Options>
 struct Tool {
   const char* program;
-  Options (*parse) (int argc, const char* const* argv);
-  void (*print_help) (const char* program);
+  const char* summary;                            ///< head of the help
+  void (*declare) (CLI::App& app, Options& into); ///< adds the options
   int (*run) (const Options& options);
 };
 
-/** \brief The main() of a tool: help without arguments or when asked for, else its run.
- * Returns the exit status. */
+/** \brief The main() of a tool. Returns the exit status. */
 template <typename Options>
 int
 toolMain (const Tool<Options>& tool, int argc, const char* const* argv)
 {
-  return runTool (tool.program, [&] {
-    if (argc < 2) {
-      tool.print_help (tool.program);
-      return 1;
-    }
-    const Options options = tool.parse (argc, argv);
-    if (options.help) {
-      tool.print_help (tool.program);
-      return 0;
-    }
-    beginWork();
-    return tool.run (options);
-  });
+  Options options;
+  return runWithOptions (
+      tool.program,
+      tool.summary,
+      [&] (CLI::App& app) { tool.declare (app, options); },
+      [&] { return tool.run (options); },
+      argc,
+      argv);
 }
 
 } // namespace pcl_msf::tool

@@ -57,11 +57,11 @@ enum class PoseDifference {
 
 /** \brief Weights of Eq. 5. Every term is divided by its number of residuals. */
 struct EnergyParameters {
-  double brightness_weight{1.0};   ///< alpha, >= 0
-  double icp_weight{1.0};          ///< beta, >= 0
-  double regularizer_weight{0.02}; ///< gamma, >= 0
-  double prior_weight{0.02};       ///< eta, > 0; sqrt (eta / gamma) = width, pixels
-  double huber_threshold{1.0};     ///< epsilon, in standard deviations, >= 0; 0 = L1
+  double brightness_weight{1.0};  ///< alpha, >= 0
+  double icp_weight{1.0};         ///< beta, >= 0
+  double regularizer_weight{0.1}; ///< gamma, >= 0; links along a surface count more
+  double prior_weight{0.1};       ///< eta, > 0; sqrt (eta / gamma) = width, pixels
+  double huber_threshold{1.0};    ///< epsilon, in standard deviations, >= 0; 0 = L1
   LossType loss{LossType::Huber};
   PoseDifference pose_difference{PoseDifference::Metric};
   int neighbors{6}; ///< n_psi, nearest centroids per segment, [0, 64]

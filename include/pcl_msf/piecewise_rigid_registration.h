@@ -203,9 +203,9 @@ public:
    * visible in both clouds and, as in PCL, whose squared distance is at most max_range.
    * The largest double when there are none. \note Hides the base's. Through a base
    * pointer PCL's own runs: nearest neighbours of the source moved by the dominant
-   * motion, which builds the kd-tree; points without depth, on which it would abort
-   * with PCL's own tree (NaN) or which it would take for points (z <= 0), do not
-   * count. */
+   * motion, which builds the kd-tree; points without depth do not count. It takes the
+   * source as it is then and the target as it was at the first query since align: after
+   * clouds were refilled in place, align first. This one keeps what align saw. */
   double
   getFitnessScore (double max_range = (std::numeric_limits<double>::max)());
 

@@ -2,7 +2,11 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include <pcl_msf/registration_settings.h>
+#include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+
+#include <pcl_msf/build_compatibility.h>
+#include <pcl_msf/scene_flow_settings.h>
 #include <pcl_msf/scene_flow_tracker.h>
 
 namespace pcl_msf {
@@ -17,18 +21,20 @@ namespace pcl_msf {
  * };
  * \endcode
  *
- * Clouds and settings are those of PiecewiseRigidRegistration; a setting changed
- * between clouds takes effect at the next restart. Segmentations and normals from
- * outside are not used. Without setCamera the camera is estimated from the first cloud.
- * Memory does not grow with the number of clouds. A cloud is copied when it is added:
- * its object may be filled anew for the next one. Not thread-safe; different trackers,
- * copies too, are independent.
+ * Clouds are those of PiecewiseRigidRegistration, settings those that make sense for a
+ * reference that changes: none from outside. A setting changed between clouds takes
+ * effect at the next restart. Without setCamera the camera is estimated from the first
+ * cloud. Memory does not grow with the number of clouds. A cloud is copied when it is
+ * added: its object may be filled anew for the next one. Not thread-safe; different
+ * trackers, copies too, are independent.
  *
  * Instantiated as PiecewiseRigidRegistration is.
  */
 template <typename PointT>
-class PiecewiseRigidTracker : public RegistrationSettings {
+class PiecewiseRigidTracker : public SceneFlowSettings {
 public:
+  PiecewiseRigidTracker() : SceneFlowSettings ("PiecewiseRigidTracker") {}
+
   using PointCloud = pcl::PointCloud<PointT>;
   using PointCloudConstPtr = typename PointCloud::ConstPtr;
 

@@ -6,169 +6,19 @@
 #include <pcl/point_types.h>
 #include <pcl/PointIndices.h>
 
-#include <pcl_msf/multiframe_scene_flow.h>
-#include <pcl_msf/parameters.h>
-#include <pcl_msf/pinhole_camera.h>
+#include <pcl_msf/scene_flow_settings.h>
 
-#include <functional>
-#include <string>
 #include <vector>
 
 namespace pcl_msf {
 
-/** \brief What a user sets on a PiecewiseRigidRegistration, whatever its point type.
- *
- * Every setter checks its argument: a bad one is refused with a PCL_ERROR that names
- * the allowed values, and the old one stays. Every setter has a getter of the same
- * type. What can only be judged with the clouds (sizes) is judged in align.
- *
- * Not thread-safe: don't set while another thread aligns.
- */
-class RegistrationSettings {
+/** \brief What a user sets on a PiecewiseRigidRegistration, whatever its point type:
+ * SceneFlowSettings, and normals and segments of the source from outside. The same
+ * rules hold; sizes are judged in align. */
+class RegistrationSettings : public SceneFlowSettings {
 public:
   using NormalCloudConstPtr = pcl::PointCloud<pcl::Normal>::ConstPtr;
   using LabelCloudConstPtr = pcl::PointCloud<pcl::Label>::ConstPtr;
-  using ProgressCallback = std::function<bool (const Progress&)>;
-
-  /** \brief The camera of both clouds, pixels (Eq. 2). Refused unless finite with
-   * positive focal lengths. Without it each align estimates it from the source, see
-   * estimateCamera. Either way all clouds must fit it, see fitsCamera; beyond that
-   * their x and y are not used for the estimation. */
-  void
-  setCamera (const PinholeCamera& camera);
-
-  /** \brief As set; all zero when it is to be estimated. The one that was used is
-   * `getSceneFlow ().camera`. */
-  PinholeCamera
-  getCamera () const
-  {
-    return camera_;
-  }
-
-  /** \brief Back to estimating the camera from the source. */
-  void
-  clearCamera ()
-  {
-    camera_ = {};
-  }
-
-  /** \brief How frames are prepared (section 3.3). */
-  void
-  setFrameParameters (const FrameParameters& parameters);
-  FrameParameters
-  getFrameParameters () const
-  {
-    return frame_;
-  }
-
-  /** \brief How the source is cut into segments (section 3.3). No effect while a
-   * segmentation from outside is set. */
-  void
-  setSegmentationParameters (const SegmentationParameters& parameters);
-  SegmentationParameters
-  getSegmentationParameters () const
-  {
-    return segmentation_;
-  }
-
-  /** \brief Weights and norms of the energy (Eq. 5). */
-  void
-  setEnergyParameters (const EnergyParameters& parameters);
-  EnergyParameters
-  getEnergyParameters () const
-  {
-    return energy_;
-  }
-
-  /** \brief Segmentation method alone, default TangentPlane; Single makes the whole
-   * scene one rigid body. */
-  void
-  setSegmentationMethod (SegmentationMethod method);
-  SegmentationMethod
-  getSegmentationMethod () const
-  {
-    return segmentation_.method;
-  }
-
-  /** \brief true: the whole scene is one rigid body, one segment of all points,
-   * whatever the segmentation method; for static scenes and the camera's own motion. No
-   * effect while a segmentation from outside is set. */
-  void
-  setRigid (bool rigid)
-  {
-    rigid_ = rigid;
-  }
-  bool
-  isRigid () const
-  {
-    return rigid_;
-  }
-
-  /** \brief Weights and rules for several targets (Eq. 13 and 14). */
-  void
-  setMultiframeParameters (const MultiframeParameters& parameters);
-  MultiframeParameters
-  getMultiframeParameters () const
-  {
-    return multiframe_;
-  }
-
-  /** \brief Aimed side of a segment, pixels, [4, 512]. */
-  void
-  setSegmentSize (int pixels);
-  int
-  getSegmentSize () const
-  {
-    return segmentation_.segment_size;
-  }
-
-  /** \brief gamma of Eq. 5, >= 0: larger holds neighbouring segments together. */
-  void
-  setRegularizerWeight (double gamma);
-  double
-  getRegularizerWeight () const
-  {
-    return energy_.regularizer_weight;
-  }
-
-  /** \brief Threads to use, at most 1024; 0 = one per processor. The result does not
-   * depend on it.
-   *
-   * With 1, all is done in the thread that calls align: no thread is started, and
-   * OpenCV's loops are not split (see cv::setNumThreads for its own threads, used with
-   * more). More are helpers of the calling thread; they sleep while nothing is shared,
-   * and end with it. A process that was forked after an align may align, too. */
-  void
-  setNumberOfThreads (unsigned threads = 0);
-  unsigned
-  getNumberOfThreads () const
-  {
-    return solver_.threads;
-  }
-
-  /** \brief Time for one align, seconds; 0 = no limit. When it is used up the best
-   * result so far is returned with StopReason::TimeLimit. */
-  void
-  setTimeBudget (double seconds);
-  double
-  getTimeBudget () const
-  {
-    return solver_.max_seconds;
-  }
-
-  /** \brief Called after each iteration, in the aligning thread; false cancels. An
-   * empty function removes it. An exception in it ends the align with hasConverged ()
-   * false. */
-  void
-  setProgressCallback (const ProgressCallback& callback)
-  {
-    solver_.progress = callback;
-  }
-  ProgressCallback
-  getProgressCallback () const
-  {
-    return solver_.progress;
-  }
 
   /** \brief Normals of the source, organized like it, used in place of computed ones;
    * unit length, NaN = none. A null pointer returns to computed ones. */
@@ -205,23 +55,9 @@ public:
   clearSegmentation ();
 
 protected:
+  RegistrationSettings() : SceneFlowSettings ("PiecewiseRigidRegistration") {}
   ~RegistrationSettings() = default;
 
-  /** Takes the parameters or says why not. \return were they taken? */
-  bool
-  takeSolverParameters (const SolverParameters& parameters, const char* method);
-
-  /** Prints "[pcl_msf::PiecewiseRigidRegistration::method] why". */
-  static void
-  printError (const char* method, const std::string& why);
-
-  PinholeCamera camera_;
-  FrameParameters frame_;
-  SegmentationParameters segmentation_;
-  EnergyParameters energy_;
-  SolverParameters solver_;
-  MultiframeParameters multiframe_;
-  bool rigid_{false};
   NormalCloudConstPtr normals_;
   LabelCloudConstPtr labels_;
   std::vector<pcl::PointIndices> clusters_;

@@ -70,8 +70,8 @@ enum class StopReason {
   InvalidInput,      ///< see Report::message
   NumericalFailure,  ///< the solver could not make a step
   NothingDetermined, ///< no segment's motion could be determined: all motion is unknown
-  DifferentPlaces ///< the frames show different places: hardly any of the reference is
-                  ///< found in the current frame, though both have measurements
+  DifferentPlaces ///< the frames show different places: hardly any of the reference, or
+                  ///< of its texture, is found in the current frame
 };
 
 /** \brief "converged", "iteration_limit", ... */

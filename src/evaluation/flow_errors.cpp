@@ -109,7 +109,7 @@ median (std::vector<double> values)
 }
 
 cv::Mat
-scoredPoints (const cv::Mat& depth, const cv::Mat& visible, PointSet set)
+scoredPoints (const cv::Mat& depth, const cv::Mat& visible, ScoredPoints set)
 {
   requireImage ("depth", depth, CV_32FC1, depth.size());
   if (!visible.empty())
@@ -119,7 +119,8 @@ scoredPoints (const cv::Mat& depth, const cv::Mat& visible, PointSet set)
     for (int x = 0; x < depth.cols; ++x) {
       const float z = depth.at<float> (y, x);
       const bool seen = visible.empty() || visible.at<unsigned char> (y, x) == 255;
-      const bool wanted = set == PointSet::All || seen == (set == PointSet::Visible);
+      const bool wanted =
+          set == ScoredPoints::All || seen == (set == ScoredPoints::Visible);
       if (z > 0.0f && std::isfinite (z) && wanted)
         mask.at<unsigned char> (y, x) = 255;
     }

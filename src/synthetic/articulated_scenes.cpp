@@ -6,8 +6,7 @@
 
 #include <string>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 namespace {
 
 /** A joint at the end of its parent's link, which runs along z. */
@@ -151,5 +150,4 @@ buildHand (Chance& chance)
   return scene;
 }
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

@@ -5,8 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 namespace {
 
 /** Where a ray is inside a box, and the faces where it enters and leaves. */
@@ -88,5 +87,4 @@ makeRoom (const Eigen::Vector3d& half)
   return std::make_shared<BoxShape> (half, true);
 }
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

@@ -6,8 +6,7 @@
 
 #include <synthetic/lattice_noise.h>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 
 /** \brief Random numbers that are the same on every platform. */
 class Chance {
@@ -46,5 +45,4 @@ private:
   std::uint64_t state_;
 };
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

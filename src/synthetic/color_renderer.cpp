@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 namespace {
 
 /** Size of a pixel on the surface: the mean of its two extents. */
@@ -172,5 +171,4 @@ ColorRenderer::skyColor (const FrameView& view, const Eigen::Vector3d& direction
          cloud * Eigen::Vector3f (25.0f, 45.0f, 60.0f);
 }
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

@@ -6,8 +6,7 @@
 
 #include <vector>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 
 /** \brief Draws supersampled colour. Refers to the scene, which must outlive it. */
 class ColorRenderer {
@@ -59,5 +58,4 @@ private:
   std::vector<Eigen::Vector3d> lights_; ///< per part, its coordinates at phase 0
 };
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

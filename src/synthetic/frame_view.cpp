@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 namespace {
 
 constexpr double tile = 16.0; ///< pixels
@@ -75,5 +74,4 @@ castPixels (const FrameView& view, int threads)
   return hits;
 }
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

@@ -8,8 +8,7 @@
 #include <memory>
 #include <vector>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 
 /** \brief A scene as the camera sees it at one moment. Refers to the scene, which must
  * outlive it. Thread-safe. */
@@ -67,5 +66,4 @@ private:
 std::vector<ViewHit>
 castPixels (const FrameView& view, int threads);
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

@@ -4,13 +4,11 @@
 
 #include <Eigen/Geometry>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 
 /** \brief A rigid motion. Without alignment, as all matrices that functions pass:
  * Eigen's functions for aligned ones would be shared with those of the program that the
  * library is linked into, whose alignment may be another. */
 using Isometry = Eigen::Transform<double, 3, Eigen::Isometry, Eigen::DontAlign>;
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 
 double
 normalFrom (std::uint64_t key)
@@ -48,5 +47,4 @@ LatticeNoise::operator() (const Eigen::Vector3f& p) const
   return front + weight[2] * (back - front);
 }
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

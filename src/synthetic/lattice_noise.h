@@ -8,8 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 
 /** \brief A well mixed number for a place in a random sequence (SplitMix64's finish).
  */
@@ -48,5 +47,4 @@ private:
   std::vector<float> values_;
 };
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

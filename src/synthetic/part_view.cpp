@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 namespace {
 
 constexpr double everywhere = 1e9;
@@ -111,5 +110,4 @@ makePartView (const Part& part,
   return std::make_unique<RigidView> (*part.shape, camera_from_part, camera);
 }
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

@@ -8,8 +8,7 @@
 
 #include <memory>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 
 /** \brief Where a pixel's ray meets the scene; camera coordinates of its moment. */
 struct ViewHit {
@@ -76,5 +75,4 @@ sphereBounds (const Eigen::Vector3d& center,
               double radius,
               const PinholeCamera& camera);
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

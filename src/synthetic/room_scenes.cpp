@@ -5,8 +5,7 @@
 
 #include <string>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 namespace {
 
 void
@@ -132,5 +131,4 @@ buildBreathing (Chance& chance)
   return scene;
 }
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 namespace {
 
 /** Smaller root of a s^2 + 2 b s + c = 0 when it lies in (0, limit). */
@@ -164,5 +163,4 @@ makeCylinder (double half_length, double radius)
   return std::make_shared<CylinderShape> (half_length, radius);
 }
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

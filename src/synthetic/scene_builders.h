@@ -5,8 +5,7 @@
 #include <synthetic/chance.h>
 #include <synthetic/scene_model.h>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 
 // Camera at phase 0 in the origin; y down, z forward. Speeds are per unit of phase and
 // chosen for about four pixels of motion; the sequence's rate is fitted to the picture.
@@ -36,5 +35,4 @@ buildStreet (Chance& chance);
 SceneModel
 buildThinStructures (Chance& chance);
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

@@ -2,8 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <synthetic/scene_builders.h>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 
 int
 SceneModel::addBody (const std::string& name, const Motion& world_from_body, bool rigid)
@@ -28,31 +27,30 @@ SceneModel::addPart (int body,
 }
 
 SceneModel
-buildScene (Scene scene, unsigned seed)
+buildScene (SceneKind scene, unsigned seed)
 {
   Chance chance (1000003ULL * seed + static_cast<unsigned> (scene));
   switch (scene) {
-  case Scene::StaticRoom:
+  case SceneKind::StaticRoom:
     return buildStaticRoom (chance);
-  case Scene::MultiBody:
+  case SceneKind::MultiBody:
     return buildMultiBody (chance, false);
-  case Scene::Articulated:
+  case SceneKind::Articulated:
     return buildArticulated (chance);
-  case Scene::Hand:
+  case SceneKind::Hand:
     return buildHand (chance);
-  case Scene::Bending:
+  case SceneKind::Bending:
     return buildBending (chance);
-  case Scene::Breathing:
+  case SceneKind::Breathing:
     return buildBreathing (chance);
-  case Scene::Street:
+  case SceneKind::Street:
     return buildStreet (chance);
-  case Scene::TexturePoor:
+  case SceneKind::TexturePoor:
     return buildMultiBody (chance, true);
-  case Scene::ThinStructures:
+  case SceneKind::ThinStructures:
     return buildThinStructures (chance);
   }
   return {};
 }
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

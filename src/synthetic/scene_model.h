@@ -12,8 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 
 /** \brief A pose as a function of the scene's phase; phase 0 = frame 0. */
 using Motion = std::function<Isometry (double phase)>;
@@ -56,7 +55,6 @@ struct SceneModel {
 
 /** \brief The scene of a name and a seed. */
 SceneModel
-buildScene (Scene scene, unsigned seed);
+buildScene (SceneKind scene, unsigned seed);
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

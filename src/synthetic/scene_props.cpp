@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 namespace {
 
 constexpr double frequency = 0.06; ///< radians per phase
@@ -189,5 +188,4 @@ addFurniture (SceneModel& scene, Chance& chance)
                  texture (chance, {150, 215, 235}));
 }
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

@@ -5,8 +5,7 @@
 #include <synthetic/chance.h>
 #include <synthetic/scene_model.h>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 
 /** \brief Translation, then a turn by rotation-vector degrees. */
 Isometry
@@ -60,5 +59,4 @@ addRoom (SceneModel& scene, Chance& chance, double back = 4.6);
 void
 addFurniture (SceneModel& scene, Chance& chance);
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

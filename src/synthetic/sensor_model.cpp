@@ -7,8 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 namespace {
 
 constexpr double focal_times_baseline = 580.0 * 0.075; ///< pixels times metres
@@ -117,5 +116,4 @@ applyKinectColor (std::uint64_t key, int threads, cv::Mat& color)
   });
 }
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 
 /** \brief What a structured-light sensor of the first Kinect's kind does to depth:
  * CV_32F, metres, changed in place.
@@ -31,5 +30,4 @@ applyKinectDepth (const FrameView& view,
 void
 applyKinectColor (std::uint64_t key, int threads, cv::Mat& color);
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

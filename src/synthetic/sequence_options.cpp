@@ -7,54 +7,54 @@
 #include <cmath>
 #include <string>
 
-namespace pcl_msf {
+namespace pcl_msf::synthetic {
 
 const char*
-toString (Scene scene)
+toString (SceneKind scene)
 {
   switch (scene) {
-  case Scene::StaticRoom:
+  case SceneKind::StaticRoom:
     return "static_room";
-  case Scene::MultiBody:
+  case SceneKind::MultiBody:
     return "multi_body";
-  case Scene::Articulated:
+  case SceneKind::Articulated:
     return "articulated";
-  case Scene::Hand:
+  case SceneKind::Hand:
     return "hand";
-  case Scene::Bending:
+  case SceneKind::Bending:
     return "bending";
-  case Scene::Breathing:
+  case SceneKind::Breathing:
     return "breathing";
-  case Scene::Street:
+  case SceneKind::Street:
     return "street";
-  case Scene::TexturePoor:
+  case SceneKind::TexturePoor:
     return "texture_poor";
-  case Scene::ThinStructures:
+  case SceneKind::ThinStructures:
     return "thin_structures";
   }
   return "unknown";
 }
 
-const std::vector<Scene>&
+const std::vector<SceneKind>&
 allScenes ()
 {
-  static const std::vector<Scene> scenes{Scene::StaticRoom,
-                                         Scene::MultiBody,
-                                         Scene::Articulated,
-                                         Scene::Hand,
-                                         Scene::Bending,
-                                         Scene::Breathing,
-                                         Scene::Street,
-                                         Scene::TexturePoor,
-                                         Scene::ThinStructures};
+  static const std::vector<SceneKind> scenes{SceneKind::StaticRoom,
+                                             SceneKind::MultiBody,
+                                             SceneKind::Articulated,
+                                             SceneKind::Hand,
+                                             SceneKind::Bending,
+                                             SceneKind::Breathing,
+                                             SceneKind::Street,
+                                             SceneKind::TexturePoor,
+                                             SceneKind::ThinStructures};
   return scenes;
 }
 
-Scene
+SceneKind
 sceneFromName (const std::string& name)
 {
   std::string names;
-  for (const Scene scene : allScenes()) {
+  for (const SceneKind scene : allScenes()) {
     if (name == toString (scene))
       return scene;
     names += std::string (names.empty() ? "" : ", ") + toString (scene);
@@ -84,4 +84,4 @@ SequenceOptions::isValid (std::string* why) const
   return problem.empty();
 }
 
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

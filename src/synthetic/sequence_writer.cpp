@@ -13,7 +13,7 @@
 #include <cmath>
 #include <string>
 
-namespace pcl_msf {
+namespace pcl_msf::synthetic {
 namespace {
 
 /** Depth as Sintel has it: 0 where nothing was hit. */
@@ -193,4 +193,4 @@ writeSequence (const SyntheticSequence& sequence,
   }
 }
 
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

@@ -6,8 +6,7 @@
 
 #include <memory>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 
 /** \brief Half line origin + s direction, s > 0; the direction needs no unit length. */
 struct Ray {
@@ -65,5 +64,4 @@ makeCapsule (double length, double radius);
 ShapePtr
 makeCylinder (double half_length, double radius);
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

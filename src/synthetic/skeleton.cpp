@@ -3,8 +3,7 @@
 #include <synthetic/scene_props.h>
 #include <synthetic/skeleton.h>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 
 int
 Skeleton::add (const Joint& joint)
@@ -35,5 +34,4 @@ linkMotion (const std::shared_ptr<const Skeleton>& skeleton, int link)
   return [=] (double phase) { return skeleton->worldFromLink (link, phase); };
 }
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

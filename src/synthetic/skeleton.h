@@ -7,8 +7,7 @@
 #include <memory>
 #include <vector>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 
 /** \brief A joint and the link behind it. The link's frame is the joint's, turned. */
 struct Joint {
@@ -36,5 +35,4 @@ private:
 Motion
 linkMotion (const std::shared_ptr<const Skeleton>& skeleton, int link);
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

@@ -4,8 +4,7 @@
 
 #include <cmath>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 namespace {
 
 /** (sin x) / x and (1 - cos x) / x, smooth at 0: a circular arc of angle x. */
@@ -125,5 +124,4 @@ makeBreathingTorso (const Eigen::Vector2d& half, double start)
   return std::make_shared<SurfaceOf<TorsoForm>> (half, start);
 }
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

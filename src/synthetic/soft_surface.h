@@ -6,8 +6,7 @@
 
 #include <memory>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 
 /** \brief What form a soft surface has at one moment. Thread-safe. */
 class SoftForm {
@@ -46,5 +45,4 @@ makeBendingSheet (const Eigen::Vector2d& half, double start);
 SoftSurfacePtr
 makeBreathingTorso (const Eigen::Vector2d& half, double start);
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

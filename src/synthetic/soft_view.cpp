@@ -8,8 +8,7 @@
 
 #include <cmath>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 namespace {
 
 constexpr double step = 1e-6;      ///< of differences, metres: tangents to about 1e-6
@@ -181,5 +180,4 @@ makeSoftView (const SoftSurface& surface,
   return std::make_unique<SoftView> (surface, camera_from_part, camera, phase);
 }
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 namespace {
 
 constexpr int cells = 48;      ///< per axis
@@ -140,5 +139,4 @@ StartMesh::startsFor (const Eigen::Vector3d& direction,
              });
 }
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

@@ -12,8 +12,7 @@
 #include <array>
 #include <vector>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 
 /** \brief Triangles on a soft surface, sorted into squares of the image: where Newton's
  * method starts for a ray. Thread-safe once made. */
@@ -76,5 +75,4 @@ private:
   std::vector<std::vector<int>> bins_; ///< triangles that may cover an image square
 };
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

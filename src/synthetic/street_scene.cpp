@@ -5,8 +5,7 @@
 
 #include <string>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 namespace {
 
 constexpr double ground = 1.6; ///< metres below the camera
@@ -109,5 +108,4 @@ buildStreet (Chance& chance)
   return scene;
 }
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

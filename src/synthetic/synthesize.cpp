@@ -9,10 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl_msf {
+namespace pcl_msf::synthetic {
 namespace {
-
-using namespace synthetic;
 
 constexpr int shutter_samples = 7;
 constexpr double shutter = 0.5; ///< share of the frame interval
@@ -187,4 +185,4 @@ synthesize (const SequenceOptions& options)
   return Studio (options).draw();
 }
 
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

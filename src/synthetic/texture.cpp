@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 namespace {
 
 /** An arbitrary rotation: lattice planes shall not show on axis-parallel surfaces. */
@@ -106,5 +105,4 @@ textureColor (const Texture& texture,
   return (tone.array() * (gain + texture.contrast * tint * warm.array())).matrix();
 }
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

@@ -6,8 +6,7 @@
 
 #include <synthetic/lattice_noise.h>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 
 /** \brief What is drawn below the noise. */
 enum class Pattern {
@@ -41,5 +40,4 @@ textureColor (const Texture& texture,
               const Eigen::Vector3f& normal,
               float footprint);
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

@@ -5,8 +5,7 @@
 
 #include <string>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 namespace {
 
 [[gnu::flatten]] void // so that none of Eigen's functions for aligned types is left
@@ -97,5 +96,4 @@ buildThinStructures (Chance& chance)
   return scene;
 }
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 namespace {
 
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
@@ -116,5 +115,4 @@ meanMotion (const SceneModel& scene,
   return std::max (all, sum[1] / std::max (1, count[1]));
 }
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace pcl_msf {
-namespace synthetic {
+namespace pcl_msf::synthetic {
 
 /** \brief Depth at pixel centres, CV_32FC1, NaN where nothing is hit. */
 cv::Mat
@@ -37,5 +36,4 @@ meanMotion (const SceneModel& scene,
             const std::vector<ViewHit>& hits,
             const FrameView& to);
 
-} // namespace synthetic
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

@@ -101,7 +101,7 @@ scoreOf (const SceneFlow& flow, const io::DataFolder& folder, int last)
 {
   const io::RgbdImages first = folder.frame (0);
   const cv::Mat mask = evaluation::scoredPoints (
-      first.depth, folder.visible (last), evaluation::PointSet::Visible);
+      first.depth, folder.visible (last), evaluation::ScoredPoints::Visible);
   Score score;
   if (const cv::Mat truth = folder.flow (last); !truth.empty()) {
     const evaluation::FlowErrors errors =

@@ -131,9 +131,9 @@ printRow (const std::string& path, int frame, int repetitions)
   const cv::Mat dis = disFlow (reference, current);
   const Truth truth{folder.flow (frame), folder.sceneFlow (frame)};
   const cv::Mat all =
-      evaluation::scoredPoints (reference.depth, {}, evaluation::PointSet::All);
+      evaluation::scoredPoints (reference.depth, {}, evaluation::ScoredPoints::All);
   const cv::Mat seen = evaluation::scoredPoints (
-      reference.depth, folder.visible (frame), evaluation::PointSet::Visible);
+      reference.depth, folder.visible (frame), evaluation::ScoredPoints::Visible);
   const cv::Mat reported = run.flow.visibility == static_cast<int> (Visible);
   evaluation::FlowErrors own, other;
   evaluation::SceneFlowErrors own3d;

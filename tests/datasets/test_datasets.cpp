@@ -15,6 +15,7 @@
 namespace {
 
 using namespace pcl_msf;
+using namespace pcl_msf::synthetic;
 using namespace pcl_msf::testing;
 using io::openDataset;
 
@@ -31,18 +32,29 @@ TEST (Datasets, ListTheirKinds)
                                           "folder",
                                           "bonn",
                                           "pcd"};
-  EXPECT_EQ (io::datasetKinds(), expected);
+  std::vector<std::string> names;
+  for (const auto& [name, kind] : io::datasetKinds()) {
+    names.push_back (name);
+    EXPECT_EQ (io::datasetKindFromName (name), kind);
+  }
+  EXPECT_EQ (names, expected);
+  EXPECT_EQ (io::datasetKindFromName ("auto"), io::DatasetKind::Automatic);
 }
 
 TEST (Datasets, SayWhatIsNotThere)
 {
   const TemporaryFolder folder;
-  EXPECT_THROW (openDataset ("nuscenes", folder ("")), InvalidInput);
-  expectIoError ([&] { openDataset ("tum", folder ("none")); }, "none", "path");
-  for (const std::string& kind : io::datasetKinds())
-    expectIoError (
-        [&] { openDataset (kind, folder ("")); }, "'" + kind + "'", "sequences");
-  expectIoError ([&] { openDataset ("auto", folder ("")); }, folder (""), "kind");
+  EXPECT_THROW (io::datasetKindFromName ("nuscenes"), InvalidInput);
+  expectIoError (
+      [&] { openDataset (io::DatasetKind::Tum, folder ("none")); }, "none", "path");
+  for (const auto& known : io::datasetKinds())
+    if (known.first != "bonn") // another name of "folder"
+      expectIoError ([&] { openDataset (known.second, folder ("")); },
+                     "'" + known.first + "'",
+                     "sequences");
+  expectIoError ([&] { openDataset (io::DatasetKind::Automatic, folder ("")); },
+                 folder (""),
+                 "kind");
 }
 
 TEST (Datasets, RefuseOptionsOutOfRange)
@@ -51,12 +63,11 @@ TEST (Datasets, RefuseOptionsOutOfRange)
   const auto refuses = [&] (const auto& change) {
     io::DatasetOptions options;
     change (options);
-    EXPECT_THROW (openDataset ("auto", folder (""), options), InvalidInput);
+    EXPECT_THROW (openDataset (io::DatasetKind::Automatic, folder (""), options),
+                  InvalidInput);
   };
   refuses ([] (auto& o) { o.depth_scale = 0.0; });
   refuses ([] (auto& o) { o.depth_scale = std::numeric_limits<double>::infinity(); });
-  refuses ([] (auto& o) { o.pass = "albedo"; });
-  refuses ([] (auto& o) { o.view = "middle"; });
   refuses ([] (auto& o) { o.max_time_difference = 0.0; });
 }
 
@@ -67,16 +78,19 @@ TEST (Datasets, ADepthScaleCountsOrIsRefused)
   writeSequence (smallSequence(), folder ("case"), written); // as floats, in metres
   io::DatasetOptions options;
   options.depth_scale = 500.0;
-  const cv::Mat metres = openDataset ("cases", folder ("case"))[0]->frame (0).depth;
+  const cv::Mat metres =
+      openDataset (io::DatasetKind::Cases, folder ("case"))[0]->frame (0).depth;
   const cv::Mat scaled =
-      openDataset ("cases", folder ("case"), options)[0]->frame (0).depth;
+      openDataset (io::DatasetKind::Cases, folder ("case"), options)[0]
+          ->frame (0)
+          .depth;
   EXPECT_FLOAT_EQ (scaled.at<float> (40, 40), metres.at<float> (40, 40) / 500.0F);
   written.layout = SequenceLayout::Sintel;
   writeSequence (smallSequence(), folder ("training"), written);
-  for (const char* kind : {"sintel", "auto"})
+  for (const DatasetKind kind : {DatasetKind::Sintel, DatasetKind::Automatic})
     try {
       openDataset (kind, folder ("training"), options);
-      ADD_FAILURE() << kind;
+      ADD_FAILURE() << static_cast<int> (kind);
     }
     catch (const InvalidInput& e) {
       EXPECT_THAT (e.what(), ::testing::HasSubstr ("depth_scale: 500 is not for"));
@@ -89,16 +103,20 @@ TEST (Datasets, AskForTheKindWhenTwoFit)
   writeSequence (smallSequence(), folder ("case"));
   putText (folder ("room/rgb.txt"), "1.0 rgb/1.png\n");
   putText (folder ("room/depth.txt"), "1.0 depth/1.png\n");
-  expectIoError ([&] { openDataset ("auto", folder ("")); }, folder (""), "cases, tum");
-  EXPECT_EQ (openDataset ("tum", folder ("")).front()->name(), "room");
-  EXPECT_EQ (openDataset ("cases", folder ("")).front()->name(), "case");
+  expectIoError ([&] { openDataset (io::DatasetKind::Automatic, folder ("")); },
+                 folder (""),
+                 "cases, tum");
+  EXPECT_EQ (openDataset (io::DatasetKind::Tum, folder ("")).front()->name(), "room");
+  EXPECT_EQ (openDataset (io::DatasetKind::Cases, folder ("")).front()->name(), "case");
 }
 
 TEST (Datasets, TellWhyTheOneThatFitsIsDamaged)
 {
   const TemporaryFolder folder;
   putText (folder ("rgb.txt"), "now rgb/1.png\n");
-  expectIoError ([&] { openDataset ("auto", folder ("")); }, "rgb.txt", "timestamp");
+  expectIoError ([&] { openDataset (io::DatasetKind::Automatic, folder ("")); },
+                 "rgb.txt",
+                 "timestamp");
 }
 
 TEST (Datasets, SortNumbersByValue)
@@ -118,7 +136,8 @@ TEST (Cases, ReadTheGeneratorsTruth)
   const TemporaryFolder folder;
   const SyntheticSequence& made = smallSequence();
   writeSequence (made, folder ("bodies"));
-  const auto sequence = openDataset ("auto", folder ("bodies/")).front();
+  const auto sequence =
+      openDataset (io::DatasetKind::Automatic, folder ("bodies/")).front();
   EXPECT_EQ (sequence->name(), "bodies");
   ASSERT_EQ (sequence->frames(), 3);
   expectSame (sequence->frame (2).depth, made.frames[2].depth, 0.0, 5000, true);
@@ -149,7 +168,7 @@ TEST (Cases, ConcatenateMotionsBetweenOtherFrames)
   const TemporaryFolder folder;
   const SyntheticSequence& made = smallSequence();
   writeSequence (made, folder ("bodies"));
-  const auto sequence = openDataset ("cases", folder ("bodies")).front();
+  const auto sequence = openDataset (io::DatasetKind::Cases, folder ("bodies")).front();
   const io::MotionTruth truth = sequence->truth (1, 2);
   EXPECT_TRUE (truth.flow.empty());
   const auto& poses = made.bodies[1].framek_from_frame0;
@@ -170,7 +189,8 @@ TEST (Cases, KnowNoLabelAndOneRigidScene)
               cv::Mat (24, 32, CV_16UC1, 2000.0));
   io::DatasetOptions options;
   options.depth_scale = 500.0;
-  const auto sequence = openDataset ("cases", folder (""), options).front();
+  const auto sequence =
+      openDataset (io::DatasetKind::Cases, folder (""), options).front();
   EXPECT_FLOAT_EQ (sequence->frame (0).depth.at<float> (1, 1), 4.0F);
   const io::MotionTruth truth = sequence->truth (0, 1);
   EXPECT_EQ (truth.labels.at<int> (3, 4), -1);

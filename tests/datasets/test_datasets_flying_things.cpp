@@ -8,6 +8,7 @@
 namespace {
 
 using namespace pcl_msf;
+using namespace pcl_msf::synthetic;
 using namespace pcl_msf::testing;
 using io::openDataset;
 
@@ -17,11 +18,13 @@ TEST (FlyingThings, ReadsFramesPosesAndSceneFlow)
   const SyntheticSequence& made = smallSequence();
   writeFlyingThings (made, folder ("data"));
   for (const std::string path : {"data", "data/frames_cleanpass/TRAIN/A/0000"}) {
-    const auto sequences = openDataset ("auto", folder (path), withCamera());
+    const auto sequences =
+        openDataset (io::DatasetKind::Automatic, folder (path), withCamera());
     ASSERT_EQ (sequences.size(), 1u);
     EXPECT_EQ (sequences[0]->name(), "TRAIN/A/0000");
   }
-  const auto sequence = openDataset ("flyingthings", folder ("data"), withCamera())[0];
+  const auto sequence =
+      openDataset (io::DatasetKind::FlyingThings, folder ("data"), withCamera())[0];
   ASSERT_EQ (sequence->frames(), 3);
   const io::RgbdImages images = sequence->frame (1);
   expectSameColor (images.color, made.frames[1].color);
@@ -47,8 +50,8 @@ TEST (FlyingThings, HasThePublishedCameras)
               cv::Mat (540, 960, CV_32FC1, view == "left" ? 10.0 : -20.0));
     }
   io::DatasetOptions options;
-  options.pass = "final";
-  auto sequences = openDataset ("flyingthings", folder (""), options);
+  options.pass = io::RenderPass::Final;
+  auto sequences = openDataset (io::DatasetKind::FlyingThings, folder (""), options);
   ASSERT_EQ (sequences.size(), 2u);
   EXPECT_EQ (sequences[0]->name(), "15mm_focallength/scene_backwards/fast");
   EXPECT_EQ (sequences[0]->frame (0).camera.fx, 450.0);
@@ -56,8 +59,8 @@ TEST (FlyingThings, HasThePublishedCameras)
   EXPECT_EQ (sequences[1]->frame (0).camera.fx, 1050.0);
   EXPECT_EQ (sequences[1]->frame (0).camera.cx, 479.5);
   EXPECT_FLOAT_EQ (sequences[1]->frame (0).depth.at<float> (5, 5), 105.0F);
-  options.view = "right";
-  sequences = openDataset ("flyingthings", folder (""), options);
+  options.view = io::StereoView::Right;
+  sequences = openDataset (io::DatasetKind::FlyingThings, folder (""), options);
   EXPECT_FLOAT_EQ (sequences[1]->frame (0).depth.at<float> (5, 5), 52.5F);
 }
 
@@ -66,11 +69,13 @@ TEST (FlyingThings, NamesWhatIsDamaged)
   const TemporaryFolder folder;
   writeFlyingThings (smallSequence(), folder (""));
   const auto open = [&] {
-    return openDataset ("flyingthings", folder (""), withCamera()).front();
+    return openDataset (io::DatasetKind::FlyingThings, folder (""), withCamera())
+        .front();
   };
-  expectIoError ([&] { openDataset ("flyingthings", folder (""))[0]->frame (0); },
-                 "0006.pfm",
-                 "960x540");
+  expectIoError (
+      [&] { openDataset (io::DatasetKind::FlyingThings, folder (""))[0]->frame (0); },
+      "0006.pfm",
+      "960x540");
   const std::string change =
       folder ("disparity_change/TRAIN/A/0000/into_future/left/0006.pfm");
   putPfm (change, cv::Mat (72, 96, CV_32FC3, 9.0));

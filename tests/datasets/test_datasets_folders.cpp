@@ -35,9 +35,9 @@ TEST (Folder, PairsSortedImages)
   io::DatasetOptions options;
   options.camera = PinholeCamera{30.0, 30.0, 15.5, 11.5};
   options.depth_scale = 2000.0;
-  const auto sequences = openDataset ("auto", folder (""), options);
+  const auto sequences = openDataset (io::DatasetKind::Automatic, folder (""), options);
   ASSERT_EQ (sequences.size(), 3u);
-  EXPECT_EQ (openDataset ("bonn", folder (""), options).size(), 3u);
+  EXPECT_EQ (openDataset (io::DatasetKind::Folder, folder (""), options).size(), 3u);
   for (const auto& sequence : sequences) {
     ASSERT_EQ (sequence->frames(), 3) << sequence->name();
     const io::RgbdImages last = sequence->frame (2);
@@ -56,15 +56,16 @@ TEST (Folder, PairsByTimesInTheNames)
   putFrame (folder ("rgb/7.133.png"), folder ("depth/7.170.png"), 2);
   putFrame (folder ("rgb/7.166.png"), folder ("depth/7.300.png"), 3);
   putText (folder ("camera.txt"), "30 30 15.5 11.5 32 24 1000\n");
-  const auto sequence = openDataset ("bonn", folder ("")).front();
+  const auto sequence = openDataset (io::DatasetKind::Folder, folder ("")).front();
   ASSERT_EQ (sequence->frames(), 2);
   EXPECT_NEAR (sequence->timestamp (1), 7.166, 1e-9);
   EXPECT_EQ (sequence->frame (1).color.at<cv::Vec3b> (0, 0)[0], 3);
   EXPECT_FLOAT_EQ (sequence->frame (1).depth.at<float> (0, 0), 2.0F);
   io::DatasetOptions options;
   options.max_time_difference = 0.001;
-  expectIoError (
-      [&] { openDataset ("bonn", folder (""), options); }, folder (""), "frames");
+  expectIoError ([&] { openDataset (io::DatasetKind::Folder, folder (""), options); },
+                 folder (""),
+                 "frames");
 }
 
 TEST (Folder, TakesCameraFilesAndDepthAlone)
@@ -72,7 +73,7 @@ TEST (Folder, TakesCameraFilesAndDepthAlone)
   const TemporaryFolder folder;
   putTagged (folder ("depth/1.dpt"), cv::Mat (24, 32, CV_32FC1, 1.5));
   putText (folder ("camera.txt"), "30 30 15.5 11.5 32 24 1000\n");
-  const auto sequence = openDataset ("folder", folder ("")).front();
+  const auto sequence = openDataset (io::DatasetKind::Folder, folder ("")).front();
   EXPECT_TRUE (sequence->frame (0).color.empty());
   EXPECT_FLOAT_EQ (sequence->frame (0).depth.at<float> (0, 0), 1.5F);
   EXPECT_THROW (sequence->frame (1), InvalidInput);
@@ -82,7 +83,9 @@ TEST (Folder, TakesCameraFilesAndDepthAlone)
 TEST (Folder, NamesWhatIsMissing)
 {
   const TemporaryFolder folder;
-  const auto open = [&] { openDataset ("folder", folder (""))[0]->frame (0); };
+  const auto open = [&] {
+    openDataset (io::DatasetKind::Folder, folder (""))[0]->frame (0);
+  };
   putFrame (folder ("rgb/1.png"), folder ("depth/1.png"), 1);
   expectIoError (open, "camera.txt", "camera: no such file");
   putText (folder ("camera.txt"), "30 30 15.5 11.5 32 25 1000\n");
@@ -90,9 +93,10 @@ TEST (Folder, NamesWhatIsMissing)
   putText (folder ("camera.txt"), "30 30 15.5\n");
   expectIoError (open, "camera.txt", "cy");
   std::filesystem::remove (folder ("camera.txt"));
-  expectIoError ([&] { openDataset ("folder", folder (""), withCamera()); },
-                 "camera.txt",
-                 "depth_scale: unknown");
+  expectIoError (
+      [&] { openDataset (io::DatasetKind::Folder, folder (""), withCamera()); },
+      "camera.txt",
+      "depth_scale: unknown");
   putImage (folder ("rgb/2.png"), cv::Mat (24, 32, CV_8UC3, 1.0));
   expectIoError (open, folder (""), "frames: 2 colour and 1 depth");
 }
@@ -103,8 +107,9 @@ TEST (Folder, NamesImagesWithoutAPartner)
   putFrame (folder ("color_1.png"), folder ("depth_1.png"), 1);
   putFrame (folder ("color_2.png"), folder ("depth_3.png"), 2);
   putText (folder ("camera.txt"), "30 30 15.5 11.5 32 24 1000\n");
-  expectIoError (
-      [&] { openDataset ("folder", folder ("")); }, "color_2.png", "depth_3.png");
+  expectIoError ([&] { openDataset (io::DatasetKind::Folder, folder ("")); },
+                 "color_2.png",
+                 "depth_3.png");
 }
 
 /** An organized cloud of a wall at z metres, as text. */
@@ -125,7 +130,7 @@ TEST (Clouds, AreSortedAndShareACamera)
   const TemporaryFolder folder;
   putCloud (folder ("scan_2.pcd"), 2.0);
   putCloud (folder ("scan_10.pcd"), 3.0);
-  const auto sequence = openDataset ("auto", folder ("")).front();
+  const auto sequence = openDataset (io::DatasetKind::Automatic, folder ("")).front();
   ASSERT_EQ (sequence->frames(), 2);
   EXPECT_NEAR (sequence->frame (1).camera.fx, 40.0, 1e-3);
   EXPECT_FLOAT_EQ (sequence->frame (0).depth.at<float> (3, 3), 2.0F);
@@ -133,7 +138,10 @@ TEST (Clouds, AreSortedAndShareACamera)
   EXPECT_TRUE (sequence->frame (1).color.empty());
   io::DatasetOptions options;
   options.camera = PinholeCamera{41.0, 41.0, 15.0, 11.0};
-  EXPECT_EQ (openDataset ("pcd", folder (""), options)[0]->frame (0).camera.fx, 41.0);
+  EXPECT_EQ (openDataset (io::DatasetKind::Clouds, folder (""), options)[0]
+                 ->frame (0)
+                 .camera.fx,
+             41.0);
   const std::string bytes = readFile (folder ("scan_10.pcd"));
   putText (folder ("scan_10.pcd"), bytes.substr (0, 300));
   expectIoError ([&] { sequence->frame (1); }, "scan_10.pcd", "points");

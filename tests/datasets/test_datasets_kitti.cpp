@@ -8,6 +8,7 @@
 namespace {
 
 using namespace pcl_msf;
+using namespace pcl_msf::synthetic;
 using namespace pcl_msf::testing;
 using io::openDataset;
 
@@ -30,7 +31,7 @@ protected:
   std::shared_ptr<const io::RgbdSequence>
   open () const
   {
-    return openDataset ("kitti2015", temporary_ ("")).front();
+    return openDataset (io::DatasetKind::Kitti2015, temporary_ ("")).front();
   }
 
   TemporaryFolder temporary_;
@@ -39,7 +40,8 @@ protected:
 TEST_F (Kitti, ReadsFramesAndCamera)
 {
   const SyntheticSequence& made = smallSequence();
-  const auto sequence = openDataset ("auto", temporary_ ("")).front();
+  const auto sequence =
+      openDataset (io::DatasetKind::Automatic, temporary_ ("")).front();
   EXPECT_EQ (sequence->name(), "000007");
   ASSERT_EQ (sequence->frames(), 2);
   const double fb = made.camera.fx * kBaseline;

@@ -71,7 +71,7 @@ TEST (Middlebury, MakesAMovingCameraOfThePairsOf2003)
 {
   const TemporaryFolder folder;
   write2003 (folder ("cones"));
-  const auto sequence = openDataset ("auto", folder ("")).front();
+  const auto sequence = openDataset (io::DatasetKind::Automatic, folder ("")).front();
   EXPECT_EQ (sequence->name(), "cones");
   ASSERT_EQ (sequence->frames(), 2);
   const io::RgbdImages left = sequence->frame (0), right = sequence->frame (1);
@@ -101,7 +101,8 @@ TEST (Middlebury, TellsByBothViewsWhatIsHidden)
 {
   const TemporaryFolder folder;
   write2003 (folder ("cones"));
-  const auto sequence = openDataset ("middlebury", folder ("cones")).front();
+  const auto sequence =
+      openDataset (io::DatasetKind::Middlebury, folder ("cones")).front();
   const cv::Mat visible = sequence->truth (0, 1).visible;
   const auto seen = [&visible] (int row, int col) {
     return visible.at<unsigned char> (row, col) == 255;
@@ -128,7 +129,7 @@ TEST (Middlebury, ReadsTheCalibrationOf2014)
 {
   const TemporaryFolder folder;
   write2014 (folder ("Pipes"));
-  const auto sequence = openDataset ("auto", folder ("")).front();
+  const auto sequence = openDataset (io::DatasetKind::Automatic, folder ("")).front();
   const io::RgbdImages left = sequence->frame (0), right = sequence->frame (1);
   EXPECT_EQ (left.camera.fx, 200.0);
   EXPECT_EQ (left.camera.cx, 40.5);
@@ -148,9 +149,9 @@ TEST (Middlebury, NamesWhatIsDamaged)
   const TemporaryFolder folder;
   write2003 (folder ("old"));
   write2014 (folder ("new"));
-  const auto old = openDataset ("middlebury", folder ("old")).front();
-  const auto recent = openDataset ("middlebury", folder ("new")).front();
-  const auto open = [&] { openDataset ("middlebury", folder ("new")); };
+  const auto old = openDataset (io::DatasetKind::Middlebury, folder ("old")).front();
+  const auto recent = openDataset (io::DatasetKind::Middlebury, folder ("new")).front();
+  const auto open = [&] { openDataset (io::DatasetKind::Middlebury, folder ("new")); };
   std::filesystem::remove (folder ("old/disp6.pgm"));
   expectIoError ([&] { old->frame (1); }, "disp6", "no such file");
   putImage (folder ("old/im2.ppm"), cv::Mat (kHeight, 80, CV_8UC3, 50.0));

@@ -10,6 +10,7 @@
 namespace {
 
 using namespace pcl_msf;
+using namespace pcl_msf::synthetic;
 using namespace pcl_msf::testing;
 using io::openDataset;
 
@@ -38,12 +39,12 @@ TEST_F (Sintel, ReadsFramesCamerasAndTruth)
 {
   const SyntheticSequence& made = smallSequence();
   for (const std::string path : {"", "/training", "/training/clean/alley_1"}) {
-    const auto sequences = openDataset ("sintel", top_ + path);
+    const auto sequences = openDataset (io::DatasetKind::Sintel, top_ + path);
     ASSERT_EQ (sequences.size(), 1u);
     EXPECT_EQ (sequences[0]->name(), "alley_1");
     EXPECT_EQ (sequences[0]->frames(), 3);
   }
-  const auto sequence = openDataset ("auto", top_).front();
+  const auto sequence = openDataset (io::DatasetKind::Automatic, top_).front();
   const io::RgbdImages images = sequence->frame (1);
   expectSameColor (images.color, made.frames[1].color);
   expectSame (images.depth, made.frames[1].depth, 0.0, 5000, true);
@@ -66,7 +67,8 @@ TEST_F (Sintel, TakesBothMasksForHidden)
     mask.at<unsigned char> (36, kind[0] == 'o' ? 40 : 50) = 255;
     putImage (file (kind, "frame_0001.png"), mask);
   }
-  const io::MotionTruth truth = openDataset ("sintel", top_).front()->truth (0, 1);
+  const io::MotionTruth truth =
+      openDataset (io::DatasetKind::Sintel, top_).front()->truth (0, 1);
   EXPECT_EQ (truth.visible.at<unsigned char> (36, 40), 0);
   EXPECT_EQ (truth.visible.at<unsigned char> (36, 50), 0);
   EXPECT_EQ (truth.visible.at<unsigned char> (36, 45), 255);
@@ -76,28 +78,35 @@ TEST_F (Sintel, TakesBothMasksForHidden)
 TEST_F (Sintel, ChoosesTheRendering)
 {
   io::DatasetOptions options;
-  options.pass = "final";
-  expectIoError ([&] { openDataset ("sintel", top_, options); }, "sintel", "sequences");
+  options.pass = io::RenderPass::Final;
+  expectIoError ([&] { openDataset (io::DatasetKind::Sintel, top_, options); },
+                 "sintel",
+                 "sequences");
   putImage (file ("final", "frame_0001.png"), cv::Mat (72, 96, CV_8UC3, 7.0));
-  const auto final = openDataset ("sintel", top_, options).front();
+  const auto final = openDataset (io::DatasetKind::Sintel, top_, options).front();
   ASSERT_EQ (final->frames(), 1);
   EXPECT_EQ (final->frame (0).color.at<cv::Vec3b> (3, 4)[0], 7);
-  const auto by_path = openDataset ("sintel", top_ + "/training/final/alley_1/");
+  const auto by_path =
+      openDataset (io::DatasetKind::Sintel, top_ + "/training/final/alley_1/");
   EXPECT_EQ (by_path.front()->frames(), 1);
 }
 
 TEST_F (Sintel, HasNoTruthAcrossAGap)
 {
   std::filesystem::remove (file ("clean", "frame_0002.png"));
-  const auto sequence = openDataset ("sintel", top_).front();
+  const auto sequence = openDataset (io::DatasetKind::Sintel, top_).front();
   ASSERT_EQ (sequence->frames(), 2);
   EXPECT_TRUE (sequence->truth (0, 1).flow.empty());
 }
 
 TEST_F (Sintel, NamesWhatIsDamaged)
 {
-  const auto frame = [&] { openDataset ("sintel", top_).front()->frame (0); };
-  const auto truth = [&] { openDataset ("sintel", top_).front()->truth (0, 1); };
+  const auto frame = [&] {
+    openDataset (io::DatasetKind::Sintel, top_).front()->frame (0);
+  };
+  const auto truth = [&] {
+    openDataset (io::DatasetKind::Sintel, top_).front()->truth (0, 1);
+  };
   putTagged (file ("flow", "frame_0001.flo"), cv::Mat (70, 96, CV_32FC2, 1.0));
   expectIoError (truth, "frame_0001.flo", "width, height");
   putTagged (file ("depth", "frame_0001.dpt"), cv::Mat (70, 96, CV_32FC1, 1.0));

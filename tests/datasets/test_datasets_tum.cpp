@@ -12,6 +12,7 @@
 namespace {
 
 using namespace pcl_msf;
+using namespace pcl_msf::synthetic;
 using namespace pcl_msf::testing;
 using io::openDataset;
 
@@ -28,7 +29,8 @@ TEST (Tum, ReadsWhatTheGeneratorWrites)
   const TemporaryFolder folder;
   const SyntheticSequence& made = smallSequence();
   writeTum (folder ("room"));
-  const auto sequence = openDataset ("auto", folder (""), withCamera()).front();
+  const auto sequence =
+      openDataset (io::DatasetKind::Automatic, folder (""), withCamera()).front();
   EXPECT_EQ (sequence->name(), "room");
   ASSERT_EQ (sequence->frames(), 3);
   EXPECT_NEAR (sequence->timestamp (2), 1.0 + 2.0 / 30.0, 1e-6);
@@ -52,19 +54,20 @@ TEST (Tum, KnowsTheCameraByTheName)
     putText (top + "/depth.txt", "1.0 depth/1.0.png\n");
     putImage (top + "/rgb/1.0.png", cv::Mat (480, 640, CV_8UC3, 1.0));
     putImage (top + "/depth/1.0.png", cv::Mat (480, 640, CV_16UC1, 5000.0));
-    return openDataset ("tum", top).front()->frame (0).camera.fx;
+    return openDataset (io::DatasetKind::Tum, top).front()->frame (0).camera.fx;
   };
   EXPECT_EQ (focal ("rgbd_dataset_freiburg1_xyz"), 517.3);
   EXPECT_EQ (focal ("rgbd_dataset_freiburg2_desk"), 520.9);
   EXPECT_EQ (focal ("rgbd_dataset_freiburg3_walking_xyz"), 535.4);
   EXPECT_EQ (focal ("office"), 525.0);
   putText (folder ("office/camera.txt"), "600 601 320 240 640 480 2500\n");
-  const auto images = openDataset ("tum", folder ("office")).front()->frame (0);
+  const auto images =
+      openDataset (io::DatasetKind::Tum, folder ("office")).front()->frame (0);
   EXPECT_EQ (images.camera.fy, 601.0);
   EXPECT_FLOAT_EQ (images.depth.at<float> (3, 3), 2.0F);
   io::DatasetOptions options;
   options.depth_scale = 1000.0;
-  EXPECT_FLOAT_EQ (openDataset ("tum", folder ("office"), options)
+  EXPECT_FLOAT_EQ (openDataset (io::DatasetKind::Tum, folder ("office"), options)
                        .front()
                        ->frame (0)
                        .depth.at<float> (3, 3),
@@ -79,11 +82,12 @@ TEST (Tum, RefusesScaledImagesWithoutTheirCamera)
   putText (top + "/depth.txt", "1.0 depth/1.0.png\n");
   putImage (top + "/rgb/1.0.png", cv::Mat (240, 320, CV_8UC3, 1.0));
   putImage (top + "/depth/1.0.png", cv::Mat (240, 320, CV_16UC1, 5000.0));
-  expectIoError ([&] { openDataset ("tum", top).front()->frame (0); },
+  expectIoError ([&] { openDataset (io::DatasetKind::Tum, top).front()->frame (0); },
                  "depth/1.0.png",
                  "width, height");
   putText (top + "/camera.txt", "260 260 160 128 320 240 5000\n");
-  EXPECT_EQ (openDataset ("tum", top).front()->frame (0).camera.fx, 260.0);
+  EXPECT_EQ (openDataset (io::DatasetKind::Tum, top).front()->frame (0).camera.fx,
+             260.0);
 }
 
 TEST (Tum, AssociatesTheClosestFirstAndEachOnce)
@@ -142,7 +146,9 @@ TEST (Tum, ReadsListsThatAnEditorSaved)
   writeTum (folder (""));
   for (const char* list : {"rgb.txt", "depth.txt", "groundtruth.txt"})
     putText (folder (list), "\xEF\xBB\xBF" + readFile (folder (list)));
-  const auto open = [&] { return openDataset ("tum", folder (""), withCamera())[0]; };
+  const auto open = [&] {
+    return openDataset (io::DatasetKind::Tum, folder (""), withCamera())[0];
+  };
   EXPECT_EQ (open()->frames(), 3);
   EXPECT_TRUE (open()->cameraPose (0));
   putText (folder ("rgb.txt"),
@@ -170,7 +176,7 @@ TEST (Tum, StampsInSmallerUnitsBecomeSeconds)
   putText (folder ("groundtruth.txt"),
            "1305031102175.3 1 2 3 0 0 0 1\n"
            "1305031102175.4 1 2 3 0 0 0 1\n");
-  const auto sequence = openDataset ("tum", folder ("")).front();
+  const auto sequence = openDataset (io::DatasetKind::Tum, folder ("")).front();
   ASSERT_EQ (sequence->frames(), 1);
   EXPECT_NEAR (sequence->timestamp (0), 1305031102.175304, 1e-6);
   ASSERT_TRUE (sequence->cameraPose (0));
@@ -202,7 +208,9 @@ TEST (Tum, NamesWhatIsDamaged)
 {
   const TemporaryFolder folder;
   writeTum (folder (""));
-  const auto open = [&] { return openDataset ("tum", folder (""), withCamera())[0]; };
+  const auto open = [&] {
+    return openDataset (io::DatasetKind::Tum, folder (""), withCamera())[0];
+  };
   std::filesystem::remove (folder ("rgb/1.033333.png"));
   expectIoError ([&] { open()->frame (1); }, "rgb/1.033333.png", "no such file");
   const std::string poses = readFile (folder ("groundtruth.txt"));

@@ -8,6 +8,7 @@
 namespace {
 
 using namespace pcl_msf;
+using namespace pcl_msf::synthetic;
 using namespace pcl_msf::testing;
 using io::openDataset;
 
@@ -16,7 +17,8 @@ TEST (VirtualKitti1, ReadsFramesPosesAndFlow)
   const TemporaryFolder folder;
   const SyntheticSequence& made = smallSequence();
   writeVirtualKitti1 (made, folder ("vkitti"));
-  const auto sequences = openDataset ("vkitti1", folder ("vkitti"), withCamera());
+  const auto sequences =
+      openDataset (io::DatasetKind::VirtualKitti1, folder ("vkitti"), withCamera());
   ASSERT_EQ (sequences.size(), 1u);
   EXPECT_EQ (sequences[0]->name(), "0001/clone");
   ASSERT_EQ (sequences[0]->frames(), 3);
@@ -26,7 +28,9 @@ TEST (VirtualKitti1, ReadsFramesPosesAndFlow)
   expectSamePose (sequences[0]->cameraPose (1), made.frame0_from_framek[1]);
   const io::MotionTruth truth = sequences[0]->truth (0, 1);
   expectSame (truth.flow, made.successive_truth[0].flow, 95.0 / 65535.0 + 1e-5, 5000);
-  EXPECT_EQ (openDataset ("auto", folder ("vkitti/vkitti_1.3.1_rgb/0001"), withCamera())
+  EXPECT_EQ (openDataset (io::DatasetKind::Automatic,
+                          folder ("vkitti/vkitti_1.3.1_rgb/0001"),
+                          withCamera())
                  .size(),
              1u);
 }
@@ -39,7 +43,8 @@ TEST (VirtualKitti1, HasThePublishedCameraAndNoDepthInTheSky)
   putImage (folder ("vkitti_1.3.1_rgb/0002/fog/00000.png"),
             cv::Mat (375, 1242, CV_8UC3, 9.0));
   putImage (folder ("vkitti_1.3.1_depthgt/0002/fog/00000.png"), depth);
-  const auto images = openDataset ("auto", folder ("")).front()->frame (0);
+  const auto images =
+      openDataset (io::DatasetKind::Automatic, folder ("")).front()->frame (0);
   EXPECT_EQ (images.camera.fx, 725.0);
   EXPECT_EQ (images.camera.cx, 620.5);
   EXPECT_EQ (images.camera.cy, 187.0);
@@ -52,11 +57,15 @@ TEST (VirtualKitti1, NamesWhatIsDamaged)
   const TemporaryFolder folder;
   writeVirtualKitti1 (smallSequence(), folder (""));
   const auto open = [&] {
-    return openDataset ("vkitti1", folder (""), withCamera()).front();
+    return openDataset (io::DatasetKind::VirtualKitti1, folder (""), withCamera())
+        .front();
   };
-  expectIoError ([&] { openDataset ("vkitti1", folder ("")).front()->frame (0); },
-                 "00000.png",
-                 "1242x375");
+  expectIoError (
+      [&] {
+        openDataset (io::DatasetKind::VirtualKitti1, folder ("")).front()->frame (0);
+      },
+      "00000.png",
+      "1242x375");
   const std::string flow = folder ("vkitti_1.3.1_flowgt/0001/clone/00000.png");
   putImage (flow, cv::Mat (72, 96, CV_8UC3, 9.0));
   expectIoError ([&] { open()->truth (0, 1); }, "flowgt/0001/clone/00000.png", "flow");
@@ -78,7 +87,7 @@ TEST (VirtualKitti2, ReadsFramesPosesAndSceneFlow)
   for (const bool archives : {false, true}) {
     const TemporaryFolder folder;
     writeVirtualKitti2 (made, folder ("data"), archives);
-    const auto sequences = openDataset ("auto", folder ("data"));
+    const auto sequences = openDataset (io::DatasetKind::Automatic, folder ("data"));
     ASSERT_EQ (sequences.size(), 1u);
     EXPECT_EQ (sequences[0]->name(), "Scene01/clone");
     ASSERT_EQ (sequences[0]->frames(), 3);
@@ -105,7 +114,8 @@ TEST (VirtualKitti2, CountsFramesByTheirNames)
   writeVirtualKitti2 (made, folder (""), false);
   const std::string color = folder ("Scene01/clone/frames/rgb/Camera_0/rgb_00000.jpg");
   std::filesystem::remove (color);
-  const auto sequence = openDataset ("vkitti2", folder ("")).front();
+  const auto sequence =
+      openDataset (io::DatasetKind::VirtualKitti2, folder ("")).front();
   ASSERT_EQ (sequence->frames(), 2);
   expectSame (sequence->frame (0).depth, made.frames[1].depth, 0.00501, 5000, true);
   expectSamePose (sequence->cameraPose (1), made.frame0_from_framek[2]);
@@ -116,7 +126,9 @@ TEST (VirtualKitti2, NamesWhatIsDamaged)
 {
   const TemporaryFolder folder;
   writeVirtualKitti2 (smallSequence(), folder (""), false);
-  const auto open = [&] { return openDataset ("vkitti2", folder ("")).front(); };
+  const auto open = [&] {
+    return openDataset (io::DatasetKind::VirtualKitti2, folder ("")).front();
+  };
   const std::string frames = folder ("Scene01/clone/frames");
   putImage (frames + "/forwardSceneFlow/Camera_0/sceneFlow_00000.png",
             cv::Mat (72, 96, CV_16UC1, 9.0));

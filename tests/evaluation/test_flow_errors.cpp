@@ -143,16 +143,16 @@ TEST (ScoredPoints, SplitsPointsWithDepthByVisibility)
 {
   const cv::Mat depth = (cv::Mat_<float> (1, 4) << 1.0f, 2.0f, 0.0f, kNan);
   const cv::Mat visible = bytes ({255, 0, 255, 0});
-  const auto mask = [&] (const cv::Mat& v, PointSet set) {
+  const auto mask = [&] (const cv::Mat& v, ScoredPoints set) {
     const cv::Mat m = scoredPoints (depth, v, set);
     return std::vector<int> (m.begin<unsigned char>(), m.end<unsigned char>());
   };
   using V = std::vector<int>;
-  EXPECT_EQ (mask (visible, PointSet::All), (V{255, 255, 0, 0}));
-  EXPECT_EQ (mask (visible, PointSet::Visible), (V{255, 0, 0, 0}));
-  EXPECT_EQ (mask (visible, PointSet::Occluded), (V{0, 255, 0, 0}));
-  EXPECT_EQ (mask ({}, PointSet::Visible), (V{255, 255, 0, 0}));
-  EXPECT_EQ (mask ({}, PointSet::Occluded), (V{0, 0, 0, 0}));
+  EXPECT_EQ (mask (visible, ScoredPoints::All), (V{255, 255, 0, 0}));
+  EXPECT_EQ (mask (visible, ScoredPoints::Visible), (V{255, 0, 0, 0}));
+  EXPECT_EQ (mask (visible, ScoredPoints::Occluded), (V{0, 255, 0, 0}));
+  EXPECT_EQ (mask ({}, ScoredPoints::Visible), (V{255, 255, 0, 0}));
+  EXPECT_EQ (mask ({}, ScoredPoints::Occluded), (V{0, 0, 0, 0}));
 }
 
 TEST (Averages, MeanAndMedian)

@@ -4,6 +4,7 @@
 
 #include "support/expect_io_error.h"
 #include "support/temporary_folder.h"
+#include "support/wall_cloud.h"
 #include <pcl_msf/io/cloud_files.h>
 #include <pcl_msf/io/data_folder.h>
 
@@ -17,24 +18,6 @@ namespace {
 
 using namespace pcl_msf;
 using namespace pcl_msf::testing;
-
-const PinholeCamera kCamera{50.0, 48.0, 19.0, 14.5};
-
-/** A flat wall at 2 m as the camera sees it, one point missing. */
-template <typename PointT>
-pcl::PointCloud<PointT>
-wall ()
-{
-  pcl::PointCloud<PointT> cloud (40, 30);
-  for (int row = 0; row < 30; ++row)
-    for (int col = 0; col < 40; ++col) {
-      const Eigen::Vector3f p = kCamera.backProject (col, row, 2.0).cast<float>();
-      cloud (col, row).getVector3fMap() = p;
-    }
-  cloud (3, 4).getVector3fMap().setConstant (std::numeric_limits<float>::quiet_NaN());
-  cloud.is_dense = false;
-  return cloud;
-}
 
 TEST (Clouds, EveryEncodingGivesTheImages)
 {
@@ -68,164 +51,6 @@ TEST (Clouds, ColourComesFromIntensityOrNotAtAll)
   const io::RgbdImages images = io::readCloudImages (folder ("gray.pcd"), kCamera);
   EXPECT_EQ (images.color.at<cv::Vec3b> (7, 7), cv::Vec3b (102, 102, 102));
   EXPECT_TRUE (io::readCloudImages (folder ("plain.pcd")).color.empty());
-}
-
-/** A header of 40x30 points with fields after x y z, and the points' bytes. */
-class HandMadeCloud {
-public:
-  HandMadeCloud (const std::string& fields,
-                 const std::string& sizes,
-                 const std::string& types,
-                 const std::string& counts)
-  : bytes_ ("VERSION .7\nFIELDS x y z " + fields + "\nSIZE 4 4 4 " + sizes +
-            "\nTYPE F F F " + types + "\nCOUNT 1 1 1 " + counts +
-            "\nWIDTH 40\nHEIGHT 30\nPOINTS 1200\nDATA binary\n")
-  {}
-
-  /** Every point has the same numbers but the first, which is black. */
-  template <typename T>
-  HandMadeCloud&
-  points (const std::vector<T>& numbers)
-  {
-    bool first = true;
-    for (const auto& point : wall<pcl::PointXYZ>()) {
-      bytes_.append (reinterpret_cast<const char*> (point.data), 12);
-      for (const T number : numbers) {
-        const T value = first ? T{} : number;
-        bytes_.append (reinterpret_cast<const char*> (&value), sizeof (T));
-      }
-      first = false;
-    }
-    return *this;
-  }
-  const std::string&
-  bytes () const
-  {
-    return bytes_;
-  }
-
-private:
-  std::string bytes_;
-};
-
-class CloudDialects : public ::testing::Test {
-protected:
-  io::RgbdImages
-  read (const HandMadeCloud& cloud, const char* name = "a.pcd") const
-  {
-    writeFile (folder_ (name), cloud.bytes());
-    return io::readCloudImages (folder_ (name), kCamera);
-  }
-  void
-  expectColor (const HandMadeCloud& cloud, const cv::Vec3b& bgr) const
-  {
-    const io::RgbdImages images = read (cloud);
-    ASSERT_EQ (images.color.type(), CV_8UC3) << cloud.bytes().substr (0, 120);
-    EXPECT_EQ (images.color.at<cv::Vec3b> (7, 7), bgr) << cloud.bytes().substr (0, 120);
-    EXPECT_EQ (images.color.at<cv::Vec3b> (0, 0), cv::Vec3b (0, 0, 0));
-    EXPECT_EQ (images.note, "");
-    const auto points = io::readOrganizedCloud (folder_ ("a.pcd"));
-    EXPECT_EQ ((*points) (7, 7).r, bgr[2]);
-    EXPECT_EQ ((*points) (7, 7).a, 255);
-  }
-
-  TemporaryFolder folder_;
-};
-
-TEST_F (CloudDialects, ColoursInNumbersOfTheirOwn)
-{
-  const cv::Vec3b bgr (10, 120, 255);
-  const auto bytes = [] (const std::string& names) {
-    return HandMadeCloud (names, "1 1 1", "U U U", "1 1 1")
-        .points<std::uint8_t> ({255, 120, 10});
-  };
-  expectColor (bytes ("r g b"), bgr);
-  expectColor (bytes ("Red Green Blue"), bgr);
-  expectColor (HandMadeCloud ("b g r", "1 1 1", "U U U", "1 1 1")
-                   .points<std::uint8_t> ({10, 120, 255}),
-               bgr);
-  expectColor (HandMadeCloud ("red green blue", "4 4 4", "F F F", "1 1 1")
-                   .points<float> ({255.0F, 120.0F, 10.0F}),
-               bgr);
-  expectColor (HandMadeCloud ("r g b", "8 8 8", "F F F", "1 1 1")
-                   .points<double> ({1.0, 120.0 / 255.0, 10.0 / 255.0}),
-               bgr);
-  expectColor (HandMadeCloud ("r g b", "4 4 4", "I I I", "1 1 1")
-                   .points<std::int32_t> ({255, 120, 10}),
-               bgr);
-  expectColor (HandMadeCloud ("red green blue", "2 2 2", "U U U", "1 1 1")
-                   .points<std::uint16_t> ({65535, 120 * 257, 10 * 257}),
-               bgr);
-  expectColor (
-      HandMadeCloud ("rgb", "1", "U", "3").points<std::uint8_t> ({255, 120, 10}), bgr);
-}
-
-TEST_F (CloudDialects, BytesAreNotTakenForAShareOfOne)
-{
-  expectColor (HandMadeCloud ("intensity", "1", "U", "1").points<std::uint8_t> ({1}),
-               cv::Vec3b (1, 1, 1));
-}
-
-TEST_F (CloudDialects, IntensitiesOfFramesThatAreComparedGetOneUnit)
-{
-  const auto cloud = [] (float intensity) {
-    return HandMadeCloud ("intensity", "4", "F", "1").points<float> ({intensity});
-  };
-  const auto gray = [] (const io::RgbdImages& images) {
-    return images.color.at<cv::Vec3b> (7, 7)[0];
-  };
-  io::RgbdImages dark = read (cloud (0.5F)), light = read (cloud (102.0F), "b.pcd");
-  io::unifyColors ({&dark, &light});
-  EXPECT_LE (gray (dark), 1) << "0.5 of 255";
-  EXPECT_EQ (gray (light), 102);
-  dark = read (cloud (2000.0F));
-  light = read (cloud (4000.0F), "b.pcd");
-  EXPECT_NEAR (gray (dark), 249, 1) << "alone, of 2047";
-  io::unifyColors ({&dark, &light});
-  EXPECT_NEAR (gray (dark), 124.5, 1.0) << "of 4095";
-  EXPECT_NEAR (gray (light), 249, 1);
-}
-
-TEST_F (CloudDialects, PaddingMayHaveNoValues)
-{
-  const io::RgbdImages images = read (
-      HandMadeCloud ("rgb _", "4 1", "U U", "1 0").points<std::uint32_t> ({0x0A0B0C}));
-  EXPECT_EQ (images.color.at<cv::Vec3b> (7, 7), cv::Vec3b (0x0C, 0x0B, 0x0A));
-  EXPECT_NEAR (images.depth.at<float> (7, 7), 2.0F, 1e-6);
-}
-
-TEST_F (CloudDialects, SaysWhichFieldsHoldNoColour)
-{
-  const io::RgbdImages images =
-      read (HandMadeCloud ("ring", "2", "U", "1").points<std::uint16_t> ({3}));
-  EXPECT_TRUE (images.color.empty());
-  EXPECT_EQ (images.note, "no colour found (fields x y z ring): geometry alone");
-}
-
-TEST_F (CloudDialects, AByteOrderMarkIsNoPartOfTheHeader)
-{
-  pcl::PCDWriter().writeASCII (folder_ ("plain.pcd"), wall<pcl::PointXYZ>());
-  writeFile (folder_ ("mark.pcd"), "\xEF\xBB\xBF" + readFile (folder_ ("plain.pcd")));
-  const io::RgbdImages images = io::readCloudImages (folder_ ("mark.pcd"), kCamera);
-  EXPECT_NEAR (images.depth.at<float> (29, 39), 2.0F, 1e-5);
-  const HandMadeCloud binary =
-      HandMadeCloud ("ring", "2", "U", "1").points<std::uint16_t> ({3});
-  writeFile (folder_ ("edited.pcd"), "\xEF\xBB\xBF" + binary.bytes());
-  expectIoError ([&] { io::readOrganizedCloud (folder_ ("edited.pcd")); },
-                 "edited.pcd",
-                 "encoding");
-}
-
-TEST_F (CloudDialects, MillimetresBecomeMetres)
-{
-  auto cloud = wall<pcl::PointXYZ>();
-  for (auto& point : cloud)
-    point.getVector3fMap() *= 1000.0F;
-  pcl::io::savePCDFileBinary (folder_ ("mm.pcd"), cloud);
-  const io::RgbdImages images = io::readCloudImages (folder_ ("mm.pcd"), {}, 1000.0);
-  EXPECT_NEAR (images.depth.at<float> (7, 7), 2.0F, 1e-5);
-  EXPECT_NEAR (images.camera.fx, kCamera.fx, 1e-3);
-  EXPECT_THROW (io::readCloudImages (folder_ ("mm.pcd"), {}, 0.0), InvalidInput);
 }
 
 TEST (Clouds, CameraIsFittedToAFlatWall)

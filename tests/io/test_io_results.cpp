@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <pcl/io/pcd_io.h>
 
-#include "io/base/json_text.h"
+#include "io/base/json.h"
 #include "support/expect_io_error.h"
 #include "support/temporary_folder.h"
 #include <pcl_msf/io/cloud_files.h>
@@ -120,27 +120,21 @@ TEST (Report, HasItsKeysAndNullForNotFinite)
                            "\"load\": 0.25",
                            "\"initial\": null",
                            "\"final\": 0.25",
-                           "a \\\"quoted\\\"\\u000aline",
+                           "a \\\"quoted\\\"\\nline",
                            "\"dominant_motion\": ["})
     EXPECT_NE (json.find (part), std::string::npos) << part << "\n" << json;
 }
 
-TEST (JsonText, NestsAndSeparates)
+TEST (Json, KeepsOrderDigitsAndNotEveryByte)
 {
-  io::JsonText json;
-  json.openObject();
-  json.integer ("a", -1);
-  json.openArray ("b");
-  json.number ("", 0.1);
-  json.number ("", std::nan (""));
-  json.closeArray();
-  json.openObject ("c");
-  json.closeObject();
-  json.boolean ("d", true);
-  json.closeObject();
-  EXPECT_EQ (json.text(),
-             "{\n  \"a\": -1,\n  \"b\": [\n    0.1,\n    null\n  ],\n  \"c\": {},\n"
-             "  \"d\": true\n}\n");
+  const io::Json json{{"z", -1},
+                      {"a", {0.1, std::nan ("")}},
+                      {"c", io::Json::object()},
+                      {"d", true},
+                      {"bytes", "a\xff"}};
+  EXPECT_EQ (io::jsonText (json),
+             "{\n  \"z\": -1,\n  \"a\": [\n    0.1,\n    null\n  ],\n  \"c\": {},\n"
+             "  \"d\": true,\n  \"bytes\": \"a\xef\xbf\xbd\"\n}\n");
 }
 
 } // namespace

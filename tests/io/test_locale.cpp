@@ -25,6 +25,7 @@
 namespace {
 
 using namespace pcl_msf;
+using namespace pcl_msf::synthetic;
 using namespace pcl_msf::testing;
 
 /** 1.234.567,8 in streams. */
@@ -143,8 +144,9 @@ readAll (const TemporaryFolder& folder)
     text += name + "=" + value + " ";
   add (io::readSceneFlowCloud (folder ("scene_flow.pcd"))
            .scene_flow.points.at<cv::Vec3f> (40, 40)[2]);
-  for (const char* kind : {"tum", "cases"}) {
-    const auto sequence = io::openDataset (kind, folder (kind), withCamera()).front();
+  for (const auto& [name, kind] : {std::pair{"tum", io::DatasetKind::Tum},
+                                   std::pair{"cases", io::DatasetKind::Cases}}) {
+    const auto sequence = io::openDataset (kind, folder (name), withCamera()).front();
     add (sequence->timestamp (1));
     add (sequence->frame (1).depth.at<float> (40, 40));
     add (sequence->cameraPose (1)->parameters[4]);

@@ -22,7 +22,7 @@ disparityOf (const cv::Mat& depth, double focal_times_baseline)
 
 /** \brief Depth of each point of a frame in the next one. */
 inline cv::Mat
-laterDepth (const cv::Mat& depth, const GroundTruth& truth)
+laterDepth (const cv::Mat& depth, const synthetic::GroundTruth& truth)
 {
   cv::Mat z;
   cv::extractChannel (truth.scene_flow, z, 2);
@@ -31,7 +31,7 @@ laterDepth (const cv::Mat& depth, const GroundTruth& truth)
 
 /** \brief FlyingThings3D, frames 6 and so on of TRAIN/A/0000, left, clean. */
 inline void
-writeFlyingThings (const SyntheticSequence& sequence, const std::string& top)
+writeFlyingThings (const synthetic::SyntheticSequence& sequence, const std::string& top)
 {
   const std::string name = "/TRAIN/A/0000";
   const RigidPose half_turn{{std::acos (-1.0), 0.0, 0.0, 0.0, 0.0, 0.0}};
@@ -49,7 +49,7 @@ writeFlyingThings (const SyntheticSequence& sequence, const std::string& top)
     poses << "Frame " << number << "\nL " << matrix << "\nR " << matrix << "\n\n";
     if (k >= sequence.successive_truth.size())
       continue;
-    const GroundTruth& truth = sequence.successive_truth[k];
+    const synthetic::GroundTruth& truth = sequence.successive_truth[k];
     const cv::Mat later =
         disparityOf (laterDepth (sequence.frames[k].depth, truth), sequence.camera.fx);
     putPfm (
@@ -89,11 +89,13 @@ kittiFlow (const cv::Mat& flow, const cv::Mat& known)
 
 /** \brief KITTI 2015, scene 000007 with dense disparities in disp_0 and disp_1. */
 inline void
-writeKitti (const SyntheticSequence& sequence, const std::string& top, double baseline)
+writeKitti (const synthetic::SyntheticSequence& sequence,
+            const std::string& top,
+            double baseline)
 {
   const PinholeCamera& c = sequence.camera;
   const double fb = c.fx * baseline;
-  const GroundTruth& truth = sequence.truth[1];
+  const synthetic::GroundTruth& truth = sequence.truth[1];
   const std::string first = "/000007_10.png", second = "/000007_11.png";
   const cv::Mat all (truth.flow.size(), CV_8UC1, cv::Scalar (255));
   const cv::Mat d0 = disparityOf (sequence.frames[0].depth, fb);

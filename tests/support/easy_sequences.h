@@ -11,10 +11,11 @@ namespace pcl_msf::test {
 
 constexpr int width = 192, height = 144; // of the sequences below
 
-inline SequenceOptions
-smallOptions (Scene scene, MotionSize motion = MotionSize::Easy)
+inline synthetic::SequenceOptions
+smallOptions (synthetic::SceneKind scene,
+              synthetic::MotionSize motion = synthetic::MotionSize::Easy)
 {
-  SequenceOptions options;
+  synthetic::SequenceOptions options;
   options.scene = scene;
   options.motion = motion;
   options.width = width;
@@ -24,14 +25,14 @@ smallOptions (Scene scene, MotionSize motion = MotionSize::Easy)
 }
 
 /** Two frames of a scene, rendered once for all tests. */
-inline const SyntheticSequence&
-easySequence (Scene scene)
+inline const synthetic::SyntheticSequence&
+easySequence (synthetic::SceneKind scene)
 {
-  static std::map<Scene, SyntheticSequence> sequences;
-  SyntheticSequence& sequence = sequences[scene];
+  static std::map<synthetic::SceneKind, synthetic::SyntheticSequence> sequences;
+  synthetic::SyntheticSequence& sequence = sequences[scene];
   if (sequence.frames.empty()) {
-    SequenceOptions options = smallOptions (scene);
-    sequence = synthesize (options);
+    synthetic::SequenceOptions options = smallOptions (scene);
+    sequence = synthetic::synthesize (options);
   }
   return sequence;
 }

@@ -35,4 +35,11 @@ runTool (const TemporaryFolder& folder, const std::string& command)
       WIFEXITED (result) ? WEXITSTATUS (result) : -1, readFile (out), readFile (err)};
 }
 
+/** \brief Is there a program of this name? */
+inline bool
+hasProgram (const std::string& name)
+{
+  return std::system (("command -v " + name + " >/dev/null").c_str()) == 0;
+}
+
 } // namespace pcl_msf::testing

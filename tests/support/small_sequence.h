@@ -8,17 +8,17 @@
 namespace pcl_msf::testing {
 
 /** \brief Three frames of moving bodies, 96x72, without noise. */
-inline const SyntheticSequence&
+inline const synthetic::SyntheticSequence&
 smallSequence ()
 {
-  static const SyntheticSequence sequence = [] {
-    SequenceOptions options;
-    options.scene = Scene::MultiBody;
+  static const synthetic::SyntheticSequence sequence = [] {
+    synthetic::SequenceOptions options;
+    options.scene = synthetic::SceneKind::MultiBody;
     options.width = 96;
     options.height = 72;
     options.frames = 3;
     options.successive_truth = true;
-    return synthesize (options);
+    return synthetic::synthesize (options);
   }();
   return sequence;
 }

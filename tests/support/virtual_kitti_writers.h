@@ -51,7 +51,8 @@ virtualKittiSceneFlow (const cv::Mat& scene_flow)
 
 /** \brief Version 1.3.1, world 0001, variation clone. */
 inline void
-writeVirtualKitti1 (const SyntheticSequence& sequence, const std::string& top)
+writeVirtualKitti1 (const synthetic::SyntheticSequence& sequence,
+                    const std::string& top)
 {
   const auto image = [&top] (const std::string& part, std::size_t k) {
     return numbered (top + "/vkitti_1.3.1_" + part + "/0001/clone/",
@@ -76,7 +77,7 @@ writeVirtualKitti1 (const SyntheticSequence& sequence, const std::string& top)
 /** \brief Version 2, Scene01, clone. \param archives one top folder for each kind of
  * data, as downloaded, or else all in one */
 inline void
-writeVirtualKitti2 (const SyntheticSequence& sequence,
+writeVirtualKitti2 (const synthetic::SyntheticSequence& sequence,
                     const std::string& top,
                     bool archives)
 {
@@ -108,7 +109,7 @@ writeVirtualKitti2 (const SyntheticSequence& sequence,
     }
   }
   for (std::size_t i = 0; i < sequence.successive_truth.size(); ++i) {
-    const GroundTruth& truth = sequence.successive_truth[i];
+    const synthetic::GroundTruth& truth = sequence.successive_truth[i];
     const int k = static_cast<int> (i);
     putImage (image ("forwardFlow", "flow_", k), virtualKittiFlow (truth.flow));
     putImage (image ("forwardSceneFlow", "sceneFlow_", k),

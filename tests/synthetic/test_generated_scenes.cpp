@@ -11,10 +11,11 @@
 namespace {
 
 using namespace pcl_msf;
+using namespace pcl_msf::synthetic;
 
 /** A generated pair of half VGA size and the error that it may leave. */
 struct Case {
-  Scene scene;
+  SceneKind scene;
   MotionSize motion;
   Sensor sensor;
   double limit; ///< pixels, mean over points seen in both frames
@@ -91,19 +92,20 @@ TEST_P (GeneratedScenes, AreFollowed)
 INSTANTIATE_TEST_SUITE_P (
     All,
     GeneratedScenes,
-    testing::Values (Case{Scene::StaticRoom, MotionSize::Easy, Sensor::Ideal, 0.1},
-                     Case{Scene::StaticRoom, MotionSize::Easy, Sensor::Kinect, 0.25},
-                     Case{Scene::MultiBody, MotionSize::Easy, Sensor::Ideal, 0.1},
-                     Case{Scene::MultiBody, MotionSize::Large, Sensor::Ideal, 0.5},
-                     Case{Scene::Articulated, MotionSize::Easy, Sensor::Ideal, 0.1},
-                     Case{Scene::Articulated, MotionSize::Easy, Sensor::Kinect, 0.25},
-                     Case{Scene::Bending, MotionSize::Easy, Sensor::Ideal, 0.25},
-                     Case{Scene::Breathing, MotionSize::Easy, Sensor::Ideal, 0.25}));
+    testing::Values (
+        Case{SceneKind::StaticRoom, MotionSize::Easy, Sensor::Ideal, 0.1},
+        Case{SceneKind::StaticRoom, MotionSize::Easy, Sensor::Kinect, 0.25},
+        Case{SceneKind::MultiBody, MotionSize::Easy, Sensor::Ideal, 0.1},
+        Case{SceneKind::MultiBody, MotionSize::Large, Sensor::Ideal, 0.5},
+        Case{SceneKind::Articulated, MotionSize::Easy, Sensor::Ideal, 0.1},
+        Case{SceneKind::Articulated, MotionSize::Easy, Sensor::Kinect, 0.25},
+        Case{SceneKind::Bending, MotionSize::Easy, Sensor::Ideal, 0.25},
+        Case{SceneKind::Breathing, MotionSize::Easy, Sensor::Ideal, 0.25}));
 
 TEST (BlendedMotions, FollowSoftSurfacesBetter)
 {
   const SyntheticSequence sequence =
-      pair ({Scene::Breathing, MotionSize::Easy, Sensor::Ideal, 0.0});
+      pair ({SceneKind::Breathing, MotionSize::Easy, Sensor::Ideal, 0.0});
   SolverParameters solver;
   solver.blend_motions = false;
   const double apart = meanError (estimate (sequence, solver), sequence);
@@ -114,7 +116,7 @@ TEST (BlendedMotions, FollowSoftSurfacesBetter)
 TEST (BlendedMotions, LeaveASingleRigidBodyAsItIs)
 {
   const SyntheticSequence sequence =
-      pair ({Scene::StaticRoom, MotionSize::Easy, Sensor::Ideal, 0.0});
+      pair ({SceneKind::StaticRoom, MotionSize::Easy, Sensor::Ideal, 0.0});
   const RgbdFrame frame = RgbdFrame::fromImages (
       sequence.frames[0].color, sequence.frames[0].depth, sequence.camera);
   SegmentationParameters single;

@@ -8,19 +8,20 @@
 #include <cstring>
 #include <ostream>
 
-namespace pcl_msf {
+namespace pcl_msf::synthetic {
 
 void
-PrintTo (Scene scene, std::ostream* stream)
+PrintTo (SceneKind scene, std::ostream* stream)
 {
   *stream << toString (scene);
 }
 
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic
 
 namespace {
 
 using namespace pcl_msf;
+using namespace pcl_msf::synthetic;
 using namespace pcl_msf::test;
 
 Eigen::Vector3d
@@ -74,10 +75,10 @@ photometricResidual (const SyntheticSequence& sequence, double flow_scale)
   return sum / count;
 }
 
-class EveryScene : public testing::TestWithParam<Scene> {};
+class EveryScene : public testing::TestWithParam<SceneKind> {};
 
 std::string
-sceneName (const testing::TestParamInfo<Scene>& info)
+sceneName (const testing::TestParamInfo<SceneKind>& info)
 {
   return toString (info.param);
 }
@@ -91,7 +92,7 @@ TEST_P (EveryScene, ColourMovesAlongTheTrueFlow)
 {
   const SyntheticSequence& sequence = easySequence (GetParam());
   const double along = photometricResidual (sequence, 1.0);
-  const bool plain = GetParam() == Scene::TexturePoor;
+  const bool plain = GetParam() == SceneKind::TexturePoor;
   EXPECT_LT (along, plain ? 1.3 : 5.0);
   EXPECT_GT (photometricResidual (sequence, 0.0), (plain ? 1.3 : 2.0) * along);
 }

@@ -16,6 +16,7 @@
 namespace {
 
 using namespace pcl_msf;
+using namespace pcl_msf::synthetic;
 using namespace pcl_msf::testing;
 
 class SyntheticFiles : public ::testing::Test {
@@ -24,7 +25,7 @@ protected:
   SetUp () override
   {
     SequenceOptions options;
-    options.scene = Scene::Street; // has a sky, so unknown values, too
+    options.scene = SceneKind::Street; // has a sky, so unknown values, too
     options.width = 96;
     options.height = 72;
     options.successive_truth = true;

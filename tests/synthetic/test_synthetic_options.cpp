@@ -11,13 +11,14 @@
 namespace {
 
 using namespace pcl_msf;
+using namespace pcl_msf::synthetic;
 using namespace pcl_msf::test;
 
 TEST (SyntheticOptions, VisibilityKnowsWhatIsHidden)
 {
   // A point is hidden exactly when the next frame's surface at its place is nearer.
   const SyntheticSequence sequence =
-      synthesize (smallOptions (Scene::MultiBody, MotionSize::Large));
+      synthesize (smallOptions (SceneKind::MultiBody, MotionSize::Large));
   const GroundTruth& truth = sequence.truth[1];
   int hidden = 0, explained = 0;
   for (int v = 0; v < height; ++v)
@@ -43,7 +44,7 @@ TEST (SyntheticOptions, VisibilityKnowsWhatIsHidden)
 
 TEST (SyntheticOptions, SuccessiveTruthJoinsNeighbours)
 {
-  SequenceOptions options = smallOptions (Scene::Articulated);
+  SequenceOptions options = smallOptions (SceneKind::Articulated);
   options.frames = 3;
   options.successive_truth = true;
   const SyntheticSequence sequence = synthesize (options);
@@ -55,7 +56,7 @@ TEST (SyntheticOptions, SuccessiveTruthJoinsNeighbours)
 
 TEST (SyntheticOptions, MotionPixelsOverridesTheMotionSize)
 {
-  SequenceOptions options = smallOptions (Scene::MultiBody);
+  SequenceOptions options = smallOptions (SceneKind::MultiBody);
   options.motion_pixels = 2.0;
   const SyntheticSequence slow = synthesize (options);
   options.motion_pixels = 8.0;
@@ -68,7 +69,7 @@ TEST (SyntheticOptions, MotionPixelsOverridesTheMotionSize)
 
 TEST (SyntheticOptions, MotionBlurSmearsColourButNotDepth)
 {
-  SequenceOptions options = smallOptions (Scene::StaticRoom, MotionSize::Large);
+  SequenceOptions options = smallOptions (SceneKind::StaticRoom, MotionSize::Large);
   const SyntheticSequence sharp = synthesize (options);
   options.motion_blur = true;
   const SyntheticSequence blurred = synthesize (options);
@@ -102,7 +103,7 @@ TEST (SyntheticOptions, RefusesOptionsThatCannotBe)
     EXPECT_THROW (synthesize (options), InvalidInput);
   }
   EXPECT_THROW (sceneFromName ("nowhere"), InvalidInput);
-  EXPECT_EQ (sceneFromName ("hand"), Scene::Hand);
+  EXPECT_EQ (sceneFromName ("hand"), SceneKind::Hand);
 }
 
 } // namespace

@@ -10,12 +10,13 @@
 namespace {
 
 using namespace pcl_msf;
+using namespace pcl_msf::synthetic;
 
 SequenceOptions
 roomOptions (Sensor sensor)
 {
   SequenceOptions options;
-  options.scene = Scene::MultiBody;
+  options.scene = SceneKind::MultiBody;
   options.width = 320;
   options.height = 240;
   options.frames = 4;

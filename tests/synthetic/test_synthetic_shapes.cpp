@@ -119,7 +119,7 @@ softViewOf (const SceneModel& scene, const PinholeCamera& camera, double phase)
 TEST (SyntheticShapes, SoftSurfacesAreHitExactly)
 {
   const PinholeCamera camera{260.0, 260.0, 159.5, 119.5};
-  for (const Scene name : {Scene::Bending, Scene::Breathing})
+  for (const SceneKind name : {SceneKind::Bending, SceneKind::Breathing})
     for (const double phase : {0.0, 9.0, 21.0}) {
       const SceneModel scene = buildScene (name, 2);
       const auto view = softViewOf (scene, camera, phase);
@@ -147,7 +147,7 @@ TEST (SyntheticShapes, SoftSurfacesHaveNoHolesInside)
   // Places on the surface, cast from the camera, are hit or hidden by something nearer.
   const PinholeCamera camera{260.0, 260.0, 159.5, 119.5};
   Chance chance (11);
-  for (const Scene name : {Scene::Bending, Scene::Breathing}) {
+  for (const SceneKind name : {SceneKind::Bending, SceneKind::Breathing}) {
     const SceneModel scene = buildScene (name, 4);
     const auto view = softViewOf (scene, camera, 14.0);
     int missed = 0;

@@ -4,8 +4,10 @@
 
 #include "common/command_line.h"
 #include "common/interruption.h"
-#include "common/option_values.h"
 #include "common/tool_main.h"
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
 #include <gmock/gmock.h>
 
 #include <csignal>
@@ -19,37 +21,33 @@ namespace {
 using namespace pcl_msf;
 using namespace pcl_msf::tool;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 struct Given {
   int count{0};
   std::string name;
-  bool help{false};
-  std::vector<std::string> words;
+  std::string word;
+  std::vector<std::string> files;
 };
 
-Given
-read (std::vector<const char*> words)
+bool
+read (Given& given, const std::vector<std::string>& words)
 {
-  words.insert (words.begin(), "tool");
-  Given given;
-  const std::vector<OptionGroup> groups = {
-      {"Numbers", {{"--count", "N", "how many [0]", number (given.count)}}},
-      {"Others",
-       {{"--name", "TEXT", "whose [nobody's]", text (given.name)},
-        {"--help", "", "print this", flag (given.help)}}}};
-  readCommandLine (
-      static_cast<int> (words.size()),
-      words.data(),
-      groups,
-      [&given] (const std::string& word) { given.words.push_back (word); });
-  return given;
+  CLI::App app;
+  addText (app, "WORD", "TEXT", "any", given.word);
+  addNumber (app, "--count", "N", "how many", given.count);
+  addText (app, "--name", "TEXT", "whose", given.name);
+  addTexts (app, "--file", "FILE", "which", given.files);
+  return readCommandLine (app, words);
 }
 
 std::string
-refusal (const std::vector<const char*>& words)
+refusal (const std::vector<std::string>& words)
 {
   try {
-    read (words);
+    Given given;
+    read (given, words);
   }
   catch (const UsageError& e) {
     return e.what();
@@ -57,23 +55,44 @@ refusal (const std::vector<const char*>& words)
   return "taken";
 }
 
-TEST (CommandLine, ReadsOptionsOfAllGroupsAndWords)
+TEST (CommandLine, ReadsOptionsAndWords)
 {
-  const Given given = read ({"first", "--count", "-3", "--name=a=b", "", "-h"});
+  Given given;
+  EXPECT_TRUE (read (given,
+                     {"--file",
+                      "a",
+                      "first",
+                      "--count",
+                      "7",
+                      "--count",
+                      "-3",
+                      "--name=a=b",
+                      "--file=b"}));
   EXPECT_EQ (given.count, -3);
   EXPECT_EQ (given.name, "a=b");
-  EXPECT_TRUE (given.help);
-  EXPECT_THAT (given.words, ElementsAre ("first", ""));
+  EXPECT_EQ (given.word, "first");
+  EXPECT_THAT (given.files, ElementsAre ("a", "b"));
+}
+
+TEST (CommandLine, NumbersAreDecimalAndFinite)
+{
+  Given given;
+  EXPECT_TRUE (read (given, {"--count", "010"}));
+  EXPECT_EQ (given.count, 10);
+  double number = 0.0;
+  for (const char* bad : {"nan", "inf", "1e999", "0,5", "", "1 "})
+    EXPECT_FALSE (parse (bad, number)) << bad;
 }
 
 TEST (CommandLine, SaysWhatItRefuses)
 {
   EXPECT_EQ (refusal ({"--cuont", "3"}), "--cuont: no such option; --help lists them");
-  EXPECT_EQ (refusal ({"--count"}), "--count: needs a value, N");
-  EXPECT_EQ (refusal ({"--count", "x"}), "--count: 'x' is no N; how many [0]");
-  EXPECT_EQ (refusal ({"--count=3.5"}), "--count: '3.5' is no N; how many [0]");
-  EXPECT_EQ (refusal ({"--name="}), "--name: '' is no TEXT; whose [nobody's]");
-  EXPECT_EQ (refusal ({"--help=1"}), "--help: takes no value");
+  EXPECT_THAT (refusal ({"--count"}), StartsWith ("--count: needs a value"));
+  EXPECT_EQ (refusal ({"--count", "x"}), "--count: 'x' is no N; how many");
+  EXPECT_EQ (refusal ({"--count=3.5"}), "--count: '3.5' is no N; how many");
+  EXPECT_THAT (refusal ({"--name="}), StartsWith ("--name: needs a value"));
+  EXPECT_THAT (refusal ({"a", "stray"}), StartsWith ("'stray': one word too many"));
+  EXPECT_THAT (refusal ({""}), StartsWith ("WORD: ''"));
 }
 
 TEST (CommandLine, ListsAreReadAsAWhole)
@@ -87,16 +106,21 @@ TEST (CommandLine, ListsAreReadAsAWhole)
 }
 
 struct NoOptions {
-  bool help{false};
+  std::string word;
+  int count{3};
 };
 
-/** Exit status of a tool with one argument that runs so. */
+/** Exit status of a tool with these words that runs so. */
 int
-statusOf (int (*run) (const NoOptions&))
+statusOf (int (*run) (const NoOptions&), std::vector<const char*> words = {"word"})
 {
-  const auto parse = [] (int, const char* const*) { return NoOptions{}; };
-  const char* const line[] = {"tool", "word"};
-  return toolMain<NoOptions> ({"tool", parse, [] (const char*) {}, run}, 2, line);
+  const auto declare = [] (CLI::App& app, NoOptions& options) {
+    addText (app, "WORD", "TEXT", "any", options.word);
+    addNumber (app, "--count", "N", "how many", options.count);
+  };
+  words.insert (words.begin(), "tool");
+  return toolMain<NoOptions> (
+      {"tool", "A tool.", declare, run}, static_cast<int> (words.size()), words.data());
 }
 
 TEST (ToolMain, ErrorsAreOneLineAndAStatus)
@@ -111,14 +135,14 @@ TEST (ToolMain, ErrorsAreOneLineAndAStatus)
 
 TEST (ToolMain, HelpIsNoRun)
 {
-  const auto parse = [] (int, const char* const*) { return NoOptions{true}; };
-  const auto print = [] (const char* program) { std::printf ("of %s\n", program); };
   const auto run = [] (const NoOptions&) { return 7; };
-  const char* const line[] = {"tool", "--help"};
   ::testing::internal::CaptureStdout();
-  EXPECT_EQ (toolMain<NoOptions> ({"tool", parse, print, run}, 1, line), 1);
-  EXPECT_EQ (toolMain<NoOptions> ({"tool", parse, print, run}, 2, line), 0);
-  EXPECT_EQ (::testing::internal::GetCapturedStdout(), "of tool\nof tool\n");
+  EXPECT_EQ (statusOf (run, {}), 1);
+  EXPECT_EQ (statusOf (run, {"--help"}), 0);
+  EXPECT_EQ (statusOf (run, {"-h"}), 0);
+  const std::string help = ::testing::internal::GetCapturedStdout();
+  EXPECT_THAT (help, StartsWith ("A tool."));
+  EXPECT_THAT (help, HasSubstr ("--count N [3]"));
 }
 
 TEST (ToolMain, ASignalEndsWithItsStatus)

@@ -13,6 +13,7 @@
 namespace {
 
 using namespace pcl_msf;
+using namespace pcl_msf::synthetic;
 using namespace pcl_msf::tool;
 
 const float kNan = std::numeric_limits<float>::quiet_NaN();
@@ -105,7 +106,7 @@ TEST (PairScores, LiftedFlowHasNoDepthResidual)
 TEST (Generated, NamesTruthAndCamera)
 {
   GeneratedOptions options;
-  options.scenes = {Scene::StaticRoom, Scene::MultiBody};
+  options.scenes = {SceneKind::StaticRoom, SceneKind::MultiBody};
   options.motions = {MotionSize::Easy};
   options.width = 48;
   options.height = 36;
@@ -160,6 +161,23 @@ TEST (Work, MethodsThatCannotRunHaveUnknownRows)
   EXPECT_NEAR (rows[0].score.depth_mean, 0.2, 1e-6);
   for (int i = 1; i < 4; ++i)
     EXPECT_TRUE (std::isnan (rows[i].score.sec)) << options.methods[i];
+}
+
+TEST (FlowBaselines, TakeImagesSmallerThanTwoPatches)
+{
+  const cv::Size sizes[] = {{12, 12}, {13, 40}, {40, 15}, {16, 16}};
+  for (const cv::Size& size : sizes) {
+    PairData pair;
+    pair.reference = {cv::Mat (size, CV_8UC3, cv::Scalar::all (90)),
+                      cv::Mat (size, CV_32FC1, 2.0),
+                      {10.0, 10.0, 3.5, 2.5}};
+    pair.current = pair.reference;
+    for (const char* name : {"dis_fast", "dis_medium"}) {
+      const Estimate estimate = makeMethod (name, 1)->run (pair);
+      ASSERT_EQ (estimate.flow.size(), size) << name;
+      EXPECT_LT (cv::norm (estimate.flow, cv::NORM_INF), 0.1) << name << " " << size;
+    }
+  }
 }
 
 } // namespace

@@ -3,15 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "common/command_line.h"
+#include "common/shard.h"
 #include "evaluate/method.h"
-#include "evaluate/shard.h"
-#include "evaluate/worker_pool.h"
 #include "support/evaluation.h"
 
-#include <csignal>
 #include <cstdlib>
-#include <map>
-#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -66,6 +64,16 @@ TEST_F (Launchers, MpiRanksCountFromZero)
   EXPECT_EQ (parseShard ("auto").text(), "3/8");
 }
 
+TEST_F (Launchers, TasksOfSrunCountFromZero)
+{
+  set ("SLURM_PROCID", "0"); // of a batch script
+  set ("SLURM_NTASKS", "1");
+  EXPECT_THROW (parseShard ("auto"), UsageError);
+  set ("SLURM_PROCID", "1");
+  set ("SLURM_NTASKS", "3");
+  EXPECT_EQ (parseShard ("auto").text(), "2/3");
+}
+
 TEST_F (Launchers, GnuParallelNeedsTheNumber)
 {
   set ("PARALLEL_SEQ", "2");
@@ -92,57 +100,6 @@ TEST (Shards, ArePartsOfTheWhole)
       owners += Shard{i, 4}.has (item) ? 1 : 0;
     EXPECT_EQ (owners, 1);
   }
-}
-
-TEST (WorkerPools, EveryItemIsDoneOnceAndFailuresAreTold)
-{
-  for (const int jobs : {1, 3}) {
-    std::map<std::size_t, WorkResult> results;
-    runInProcesses (
-        jobs,
-        {5, 6, 7, 8, 9},
-        [] (std::size_t i) {
-          if (i == 7)
-            throw std::runtime_error ("no seven");
-          return "item " + std::to_string (i) + std::string (100000, '.');
-        },
-        [&] (const WorkResult& r) { return results.emplace (r.item, r).second; });
-    ASSERT_EQ (results.size(), 5u);
-    EXPECT_EQ (results[9].text.substr (0, 7), "item 9.");
-    EXPECT_EQ (results[9].text.size(), 100006u);
-    EXPECT_TRUE (results[7].failed);
-    EXPECT_EQ (results[7].text, "no seven");
-  }
-}
-
-TEST (WorkerPools, AProcessThatDiesTakesNothingWithIt)
-{
-  std::map<std::size_t, WorkResult> results;
-  runInProcesses (
-      2,
-      {0, 1, 2, 3, 4, 5},
-      [] (std::size_t i) {
-        if (i % 3 == 0)
-          std::raise (SIGKILL);
-        return std::to_string (i);
-      },
-      [&] (const WorkResult& r) { return results.emplace (r.item, r).second; });
-  ASSERT_EQ (results.size(), 6u);
-  for (const auto& [item, result] : results) {
-    EXPECT_EQ (result.failed, item % 3 == 0);
-    EXPECT_THAT (result.text, HasSubstr (item % 3 == 0 ? "signal 9" : ""));
-  }
-}
-
-TEST (WorkerPools, NoMoreIsHandedOutWhenTold)
-{
-  std::size_t count = 0;
-  runInProcesses (
-      2,
-      {0, 1, 2, 3, 4, 5, 6, 7},
-      [] (std::size_t) { return std::string(); },
-      [&] (const WorkResult&) { return ++count < 2; });
-  EXPECT_LT (count, 5u);
 }
 
 TEST (Methods, UnknownOnesAndSettingsAreRefused)

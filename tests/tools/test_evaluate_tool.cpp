@@ -13,6 +13,7 @@
 namespace {
 
 using namespace pcl_msf::tool;
+using pcl_msf::testing::hasProgram;
 using pcl_msf::testing::readFile;
 using pcl_msf::testing::runTool;
 using pcl_msf::testing::TemporaryFolder;
@@ -56,6 +57,19 @@ protected:
     EXPECT_EQ (r.out, "");
   }
 
+  /** Three parts give what one run gave. */
+  void
+  expectMerged (const std::string& parts, const std::string& whole) const
+  {
+    std::string files;
+    for (const char* i : {"1", "2", "3"})
+      files += " " + folder_ (parts + i + ".csv");
+    const ToolRun r = run (" --merge" + files + " --csv " + folder_ ("m.csv"));
+    ASSERT_EQ (r.status, 0) << r.err;
+    EXPECT_EQ (stable ("m.csv"), stable (whole));
+    EXPECT_THAT (r.out, HasSubstr ("bending_easy_kinect"));
+  }
+
   TemporaryFolder folder_;
 };
 
@@ -93,24 +107,46 @@ TEST_F (EvaluateTool, ScoresAllMethodsAndOursIsAhead)
     EXPECT_THAT (json, HasSubstr (key));
 }
 
-TEST_F (EvaluateTool, ShardsAndJobsGiveWhatOneRunGives)
+TEST_F (EvaluateTool, ShardsGiveWhatOneRunGives)
 {
   const std::string what = kTiny + "--motion easy --methods msf,zero --quiet --csv ";
   ASSERT_EQ (run (what + folder_ ("all.csv")).status, 0);
-  ASSERT_EQ (run (what + folder_ ("jobs.csv") + " --jobs 3").status, 0);
-  EXPECT_EQ (stable ("jobs.csv"), stable ("all.csv"));
-  std::string parts;
   for (const std::string i : {"0", "1", "2"}) {
     const std::string variables =
         "OMPI_COMM_WORLD_SIZE=3 OMPI_COMM_WORLD_RANK=" + i + " ";
-    ASSERT_EQ (run (what + folder_ (i + ".csv") + " --shard auto", variables).status,
+    ASSERT_EQ (run (what + folder_ ("part_%.csv") + " --shard auto", variables).status,
                0);
-    parts += " " + folder_ (i + ".csv");
   }
-  const ToolRun r = run (" --merge" + parts + " --csv " + folder_ ("m.csv"));
+  expectMerged ("part_", "all.csv");
+}
+
+TEST_F (EvaluateTool, GnuParallelRunsShards)
+{
+  if (!hasProgram ("parallel"))
+    GTEST_SKIP() << "GNU parallel is not here";
+  const std::string what = kTiny + "--motion easy --methods zero --quiet ";
+  ASSERT_EQ (run (what + "--csv " + folder_ ("all.csv")).status, 0);
+  const ToolRun r =
+      runTool (folder_,
+               "parallel --will-cite -j2 " PCL_MSF_TOOLS "/pcl_msf_evaluate" + what +
+                   "--shard {}/3 --csv " + folder_ ("part_{}.csv") + " ::: 1 2 3");
   ASSERT_EQ (r.status, 0) << r.err;
-  EXPECT_EQ (stable ("m.csv"), stable ("all.csv"));
-  EXPECT_THAT (r.out, HasSubstr ("bending_easy_kinect"));
+  expectMerged ("part_", "all.csv");
+}
+
+TEST_F (EvaluateTool, MpiRunsShards)
+{
+  if (!hasProgram ("mpirun"))
+    GTEST_SKIP() << "Open MPI is not here";
+  const std::string what = kTiny + "--motion easy --methods zero --quiet ";
+  ASSERT_EQ (run (what + "--csv " + folder_ ("all.csv")).status, 0);
+  const ToolRun r =
+      runTool (folder_,
+               "mpirun --allow-run-as-root --oversubscribe -n 3 " PCL_MSF_TOOLS
+               "/pcl_msf_evaluate" +
+                   what + "--shard auto --csv " + folder_ ("part_%.csv"));
+  ASSERT_EQ (r.status, 0) << r.err;
+  expectMerged ("part_", "all.csv");
 }
 
 TEST_F (EvaluateTool, AKilledRunLosesNothingThatIsDone)
@@ -139,8 +175,7 @@ TEST_F (EvaluateTool, AnInterruptedRunKeepsItsRowsAndSaysSo)
 {
   const std::string csv = folder_ ("r.csv");
   const std::string what = // all scenes: far more to do than the first pair
-      " generated --size 160x120 --threads 1 --methods msf --jobs 2 --quiet --csv " +
-      csv;
+      " generated --size 160x120 --threads 1 --methods msf --quiet --csv " + csv;
   const std::string command = std::string ("bash -c '") +
                               PCL_MSF_TOOLS "/pcl_msf_evaluate" + what +
                               " & p=$!; while kill -0 $p && ! grep -q ^0, " + csv +
@@ -212,7 +247,7 @@ TEST_F (EvaluateTool, MistakesAreOneLineThatNamesTheRemedy)
   expectError (" generated --shard 5/4", "5/4");
   expectError (" generated --shard 1/4", "--csv");
   expectError (" generated --step 0", "--step");
-  expectError (" generated --jobs 0", "--jobs");
+  expectError (" generated --jobs 4", "GNU parallel");
   expectError (" generated --speed", "no such option");
   expectError (" --merge", "no files");
   writeFile (folder_ ("x.csv"), "a,b\n1,2\n");

@@ -5,7 +5,12 @@
 #include "common/command_line.h"
 #include "common/output_folder.h"
 #include "support/temporary_folder.h"
+#include <gmock/gmock.h>
 #include <pcl_msf/errors.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
 
 namespace {
 
@@ -114,6 +119,50 @@ TEST (OutputFolder, FilesOfAFirstRunAppearAtOnce)
   EXPECT_EQ (filesIn (folder ("out")), 2U) << "the file and the list";
   writeRun (folder, {"c"});
   EXPECT_FALSE (fs::exists (folder ("out/a"))) << "known though its run failed";
+}
+
+/** Names of hidden folders. */
+std::vector<std::string>
+stagesIn (const std::string& folder)
+{
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator (folder))
+    if (entry.is_directory() && entry.path().filename().string().front() == '.')
+      names.push_back (entry.path().string());
+  return names;
+}
+
+TEST (OutputFolder, TheStageOfAKilledRunGoesWithTheNextRun)
+{
+  const TemporaryFolder folder;
+  const pid_t child = fork();
+  if (child == 0) {
+    const OutputFolder output (folder ("out"), "tool");
+    writeFile (output.stage() + "/half", "a");
+    raise (SIGKILL);
+  }
+  int status = 0;
+  waitpid (child, &status, 0);
+  ASSERT_TRUE (WIFSIGNALED (status));
+  ASSERT_EQ (stagesIn (folder ("out")).size(), 1U);
+  fs::create_directories (folder ("out/.tool.mine00")); // nobody's lock is in it
+  fs::create_directories (folder ("out/.other.abcdef"));
+  writeFile (folder ("out/.other.abcdef/.lock"), "");
+  writeRun (folder, {"a"});
+  const std::vector<std::string> left = stagesIn (folder ("out"));
+  EXPECT_THAT (left,
+               ::testing::UnorderedElementsAre (folder ("out/.tool.mine00"),
+                                                folder ("out/.other.abcdef")));
+}
+
+TEST (OutputFolder, TheStageOfARunThatGoesOnStays)
+{
+  const TemporaryFolder folder;
+  OutputFolder output (folder ("out"), "tool");
+  writeFile (output.stage() + "/a", "a");
+  writeRun (folder, {"b"});
+  output.finish();
+  EXPECT_EQ (readFile (folder ("out/a")), "a");
 }
 
 } // namespace

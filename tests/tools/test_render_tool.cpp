@@ -105,7 +105,8 @@ TEST_F (RenderCase, RefusesWhatItCannotDo)
   expectRefusal (folder_ ("case") + " --size 9000x100", "--size");
   expectRefusal (folder_ ("case") + " --frame 7", "there is no frame 7");
   expectRefusal (folder_ ("case") + " --view user", "--eye");
-  expectRefusal (folder_ ("case") + " --gif", "--animation");
+  expectRefusal (folder_ ("case") + " --gif", "ffmpeg");
+  expectRefusal (folder_ ("case") + " --mp4", "--animation");
   expectRefusal (folder_ ("case") + " --colour 1", "no such option");
   expectRefusal (folder_ ("case") + " --output /proc/nowhere --kind warped",
                  "cannot be made");

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "common/shard.h"
 #include "score.h"
-#include "shard.h"
 
 #include <cstddef>
 #include <string>

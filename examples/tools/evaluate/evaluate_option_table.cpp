@@ -2,70 +2,35 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "evaluate_option_table.h"
 
-#include "common/default_help.h"
-#include <pcl_msf/errors.h>
-
-#include <sstream>
+#include "common/ranges.h"
+#include "common/recordings.h"
 
 namespace pcl_msf::tool {
 
 namespace {
 
-using Words = std::vector<std::string>;
-
-Words
-splitAtCommas (const std::string& text)
+Words<std::string>
+sameWords (const std::vector<std::string>& words)
 {
-  Words words;
-  std::istringstream stream (text);
-  for (std::string word; std::getline (stream, word, ',');)
-    words.push_back (word);
+  Words<std::string> same;
+  for (const std::string& word : words)
+    same.emplace_back (word, word);
+  return same;
+}
+
+Words<synthetic::SceneKind>
+sceneWords ()
+{
+  Words<synthetic::SceneKind> words;
+  for (const synthetic::SceneKind scene : synthetic::allScenes())
+    words.emplace_back (toString (scene), scene);
   return words;
 }
 
-Setter
-word (std::string& value, const Words& words)
+void
+addSize (CLI::App& app, int& width, int& height)
 {
-  return [&value, words] (const std::string& given) {
-    for (const std::string& one : words)
-      if (one == given) {
-        value = given;
-        return true;
-      }
-    return false;
-  };
-}
-
-/** A list of words out of some, joined by commas. */
-template <typename Enum>
-Setter
-several (std::vector<Enum>& values,
-         const std::vector<std::pair<std::string, Enum>>& all)
-{
-  return [&values, all] (const std::string& given) {
-    values.clear();
-    for (const std::string& word : splitAtCommas (given))
-      if (Enum value{}; choice<Enum> (value, all) (word))
-        values.push_back (value);
-      else
-        return false;
-    return !values.empty();
-  };
-}
-
-Setter
-scenes (std::vector<Scene>& values)
-{
-  std::vector<std::pair<std::string, Scene>> all;
-  for (const Scene scene : allScenes())
-    all.emplace_back (toString (scene), scene);
-  return several (values, all);
-}
-
-Setter
-size (int& width, int& height)
-{
-  return [&width, &height] (const std::string& given) {
+  const auto take = [&width, &height] (const std::string& given) {
     int numbers[2];
     if (!parseList (given, 'x', numbers))
       return false;
@@ -73,121 +38,140 @@ size (int& width, int& height)
     height = numbers[1];
     return true;
   };
+  addOption (app,
+             "--size",
+             "WxH",
+             "pixels",
+             take,
+             std::to_string (width) + "x" + std::to_string (height));
 }
 
-OptionGroup
-inputOptions (EvaluateOptions& o)
+void
+addInputOptions (CLI::App& app, EvaluateOptions& o)
 {
-  return {
-      "What to read",
-      {{"--pairs",
-        "WORD",
-        "adjacent or 0-k (frame 0 and each later one) [adjacent]",
-        choice<Pairs> (o.pairs,
-                       {{"adjacent", Pairs::Adjacent}, {"0-k", Pairs::FromFirst}})},
-       numeric ("--step", "N", "use every N-th frame", o.step),
-       numeric ("--limit", "N", "pairs of a sequence at the most, 0 = all", o.limit),
-       {"--camera",
-        "FX,FY,CX,CY",
-        "pinhole camera in place of the data set's, pixels",
-        camera (o.reading.camera)},
-       {"--depth-scale",
-        "S",
-        "units per metre of depth in place of the data set's; not for those that "
-        "define it",
-        positive (o.reading.depth_scale)},
-       {"--max-time-difference",
-        "S",
-        withDefault ("between colour and depth images of TUM and folders, seconds",
-                     o.reading.max_time_difference),
-        positive (o.reading.max_time_difference)},
-       {"--pass",
-        "WORD",
-        "clean or final: Sintel, FlyingThings3D [clean]",
-        word (o.reading.pass, {"clean", "final"})},
-       {"--view",
-        "WORD",
-        "left or right: FlyingThings3D, Virtual KITTI 2 [left]",
-        word (o.reading.view, {"left", "right"})}}};
+  beginGroup (app, "What to read");
+  addWord<Pairs> (app,
+                  "--pairs",
+                  "each frame and the next, or frame 0 and each later one",
+                  o.pairs,
+                  {{"adjacent", Pairs::Adjacent}, {"0-k", Pairs::FromFirst}});
+  addNumber (app, "--step", "N", "use every N-th frame", o.step)->check (atLeast (1));
+  addNumber (app, "--limit", "N", "pairs of a sequence at the most, 0 = all", o.limit)
+      ->check (atLeast (0));
+  addCamera (
+      app, "pinhole camera in place of the data set's, pixels", o.reading.camera);
+  addDepthScale (app,
+                 "units per metre of depth in place of the data set's; not for those "
+                 "that define it",
+                 o.reading.depth_scale);
+  addMaxTimeDifference (app,
+                        "between colour and depth images of TUM and folders",
+                        o.reading.max_time_difference);
+  addWord<io::RenderPass> (
+      app,
+      "--pass",
+      "Sintel, FlyingThings3D",
+      o.reading.pass,
+      {{"clean", io::RenderPass::Clean}, {"final", io::RenderPass::Final}});
+  addWord<io::StereoView> (
+      app,
+      "--view",
+      "FlyingThings3D, Virtual KITTI 2",
+      o.reading.view,
+      {{"left", io::StereoView::Left}, {"right", io::StereoView::Right}});
 }
 
-OptionGroup
-generatedOptions (GeneratedOptions& g)
+void
+addGeneratedOptions (CLI::App& app, GeneratedOptions& g)
 {
-  return {"What to generate",
-          {{"--scenes", "A,B,...", "of pcl_msf_synthesize [all]", scenes (g.scenes)},
-           {"--motion",
-            "A,B",
-            "easy, large [easy,large]",
-            several<MotionSize> (
-                g.motions, {{"easy", MotionSize::Easy}, {"large", MotionSize::Large}})},
-           {"--sensor",
-            "A,B",
-            "none, kinect [none,kinect]",
-            several<Sensor> (g.sensors,
-                             {{"none", Sensor::Ideal}, {"kinect", Sensor::Kinect}})},
-           numeric ("--seed", "N", "of everything", g.seed),
-           {"--size", "WxH", "pixels [640x480]", size (g.width, g.height)},
-           numeric ("--frames", "N", "of a sequence", g.frames)}};
+  beginGroup (app, "What to generate");
+  addWords<synthetic::SceneKind> (
+      app, "--scenes", "of pcl_msf_synthesize", g.scenes, sceneWords());
+  addWords<synthetic::MotionSize> (
+      app,
+      "--motion",
+      "easy, large",
+      g.motions,
+      {{"easy", synthetic::MotionSize::Easy}, {"large", synthetic::MotionSize::Large}});
+  addWords<synthetic::Sensor> (
+      app,
+      "--sensor",
+      "none, kinect",
+      g.sensors,
+      {{"none", synthetic::Sensor::Ideal}, {"kinect", synthetic::Sensor::Kinect}});
+  addNumber (app, "--seed", "N", "of everything", g.seed);
+  addSize (app, g.width, g.height);
+  addNumber (app, "--frames", "N", "of a sequence", g.frames);
 }
 
-OptionGroup
-methodOptions (EvaluateOptions& o)
+void
+addRunOptions (CLI::App& app, EvaluateOptions& o)
 {
-  return {"What to run",
-          {{"--methods",
-            "A,B,...",
-            "see below [all]",
-            [&o] (const std::string& s) {
-              o.methods = splitAtCommas (s);
-              return !o.methods.empty();
-            }},
-           {"--ablation",
-            "",
-            "add our method with the l1 and l2 norms (the paper's section 4.1)",
-            flag (o.ablation)},
-           {"--labels",
-            "WORD",
-            "segments of msf: method, true, or cut along true borders [method]",
-            word (o.labels, {"method", "true", "cut"})},
-           {"--start",
-            "WORD",
-            "start of msf: method, or true motion [method]",
-            word (o.start, {"method", "true"})},
-           numeric ("--threads", "N", "of a process, 0 = all", o.threads),
-           numeric ("--jobs", "N", "processes", o.jobs),
-           {"--shard",
-            "I/N",
-            "do the I-th of N parts; auto: as Slurm or MPI says; auto/N: GNU parallel",
-            [&o] (const std::string& s) {
-              o.shard = parseShard (s);
-              return true;
-            }}}};
+  beginGroup (app, "What to run");
+  addOption (
+      app,
+      "--methods",
+      "A,B,...",
+      "see below",
+      [&o] (const std::string& text) {
+        o.methods = splitAtCommas (text);
+        return !o.methods.empty();
+      },
+      "all");
+  addFlag (app,
+           "--ablation",
+           "add our method with the l1 and l2 norms (the paper's section 4.1)",
+           o.ablation);
+  addWord<std::string> (app,
+                        "--labels",
+                        "segments of msf; cut: along true borders",
+                        o.labels,
+                        sameWords ({"method", "true", "cut"}));
+  addWord<std::string> (app,
+                        "--start",
+                        "motion that msf starts from",
+                        o.start,
+                        sameWords ({"method", "true"}));
+  addNumber (app, "--threads", "N", "of a process, 0 = all", o.threads);
+  addOption (app, "--jobs", "N", "gone", [] (const std::string& n) -> bool {
+    throw UsageError ("--jobs: gone; GNU parallel runs shards at once: parallel "
+                      "pcl_msf_evaluate ... --shard {}/" +
+                      n + " --csv part_{}.csv ::: $(seq " + n +
+                      "), then pcl_msf_evaluate --merge --csv all.csv part_*.csv");
+  })->group ("");
 }
 
-OptionGroup
-outputOptions (EvaluateOptions& o)
+void
+addOutputOptions (CLI::App& app, EvaluateOptions& o)
 {
-  return {"What to write",
-          {{"--csv",
-            "FILE",
-            "a row per method and pair, at once; what is there is not done again",
-            text (o.csv)},
-           {"--json", "FILE", "rows and summary", text (o.json)},
-           {"--merge", "", "join the CSVs of shards into --csv", flag (o.merge)},
-           {"--quiet", "", "no progress on stderr", flag (o.quiet)},
-           {"--help", "", "print this", flag (o.help)}}};
+  beginGroup (app, "What to write");
+  auto* csv = addText (
+      app,
+      "--csv",
+      "FILE",
+      "a row per method and pair, at once; what is there is not done again; a % "
+      "becomes the shard's I",
+      o.csv);
+  addText (app, "--json", "FILE", "rows and summary", o.json);
+  addShard (app, o.shard)->needs (csv);
+  addFlag (app, "--merge", "join the CSVs of shards into --csv", o.merge);
+  addFlag (app, "--quiet", "no progress on stderr", o.quiet);
 }
 
 } // namespace
 
-std::vector<OptionGroup>
-makeEvaluateOptionTable (EvaluateOptions& options)
+void
+addEvaluateOptions (CLI::App& app, EvaluateOptions& options)
 {
-  return {inputOptions (options),
-          generatedOptions (options.generated),
-          methodOptions (options),
-          outputOptions (options)};
+  addTexts (app,
+            "DATASET",
+            "WORD",
+            "a data set and its PATH, or generated; with --merge the shards' files",
+            options.words);
+  addInputOptions (app, options);
+  addGeneratedOptions (app, options.generated);
+  addRunOptions (app, options);
+  addOutputOptions (app, options);
 }
 
 } // namespace pcl_msf::tool

@@ -2,15 +2,13 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "common/command_line.h"
 #include "options.h"
-
-#include <vector>
 
 namespace pcl_msf::tool {
 
-/** \brief All options, bound to the fields of `options`, which must outlive them. */
-std::vector<OptionGroup>
-makeEvaluateOptionTable (EvaluateOptions& options);
+/** \brief Adds all options of pcl_msf_evaluate, bound to the fields of `options`, which
+ * must outlive the application. */
+void
+addEvaluateOptions (CLI::App& app, EvaluateOptions& options);
 
 } // namespace pcl_msf::tool

@@ -23,13 +23,33 @@ gray (const cv::Mat& color)
   return result;
 }
 
+/** Below so many pixels a side, two patches, OpenCV's DIS reads outside the image. */
+constexpr int kLeastSide = 16;
+
+/** The border is repeated where an image is too small. */
+cv::Mat
+largeEnough (const cv::Mat& image)
+{
+  cv::Mat result;
+  cv::copyMakeBorder (image,
+                      result,
+                      0,
+                      std::max (0, kLeastSide - image.rows),
+                      0,
+                      std::max (0, kLeastSide - image.cols),
+                      cv::BORDER_REPLICATE);
+  return result;
+}
+
 Estimate
 runFlow (cv::DenseOpticalFlow& algorithm, const PairData& pair)
 {
   StopWatch watch;
+  const cv::Mat first = gray (pair.reference.color);
+  cv::Mat flow;
+  algorithm.calc (largeEnough (first), largeEnough (gray (pair.current.color)), flow);
   Estimate estimate;
-  algorithm.calc (
-      gray (pair.reference.color), gray (pair.current.color), estimate.flow);
+  estimate.flow = flow (cv::Rect (cv::Point(), first.size())).clone();
   liftByDepth (pair, estimate);
   estimate.seconds.total = watch.lap();
   return estimate;

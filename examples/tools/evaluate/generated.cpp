@@ -15,12 +15,13 @@ namespace {
 struct LastRendered {
   std::mutex mutex;
   const void* owner{nullptr};
-  std::shared_ptr<const SyntheticSequence> sequence;
+  std::shared_ptr<const synthetic::SyntheticSequence> sequence;
 };
 
 class GeneratedSequence : public io::RgbdSequence {
 public:
-  GeneratedSequence (const SequenceOptions& options, std::shared_ptr<LastRendered> last)
+  GeneratedSequence (const synthetic::SequenceOptions& options,
+                     std::shared_ptr<LastRendered> last)
   : options_ (options), last_ (std::move (last))
   {}
 
@@ -28,8 +29,8 @@ public:
   name () const override
   {
     return std::string (toString (options_.scene)) +
-           (options_.motion == MotionSize::Large ? "_large" : "_easy") +
-           (options_.sensor == Sensor::Kinect ? "_kinect" : "_none");
+           (options_.motion == synthetic::MotionSize::Large ? "_large" : "_easy") +
+           (options_.sensor == synthetic::Sensor::Kinect ? "_kinect" : "_none");
   }
 
   int
@@ -42,7 +43,7 @@ public:
   frame (int k) const override
   {
     const auto sequence = render();
-    const SyntheticFrame& frame = sequence->frames.at (k);
+    const synthetic::SyntheticFrame& frame = sequence->frames.at (k);
     return {frame.color, frame.depth, sequence->camera};
   }
 
@@ -56,20 +57,20 @@ public:
   }
 
 private:
-  std::shared_ptr<const SyntheticSequence>
+  std::shared_ptr<const synthetic::SyntheticSequence>
   render () const
   {
     const std::lock_guard<std::mutex> lock (last_->mutex);
     if (last_->owner != this) {
       last_->sequence.reset(); // never two in memory
-      last_->sequence =
-          std::make_shared<const SyntheticSequence> (synthesize (options_));
+      last_->sequence = std::make_shared<const synthetic::SyntheticSequence> (
+          synthetic::synthesize (options_));
       last_->owner = this;
     }
     return last_->sequence;
   }
 
-  SequenceOptions options_;
+  synthetic::SequenceOptions options_;
   std::shared_ptr<LastRendered> last_;
 };
 
@@ -79,19 +80,19 @@ GeneratedSequence::truth (int from, int to) const
   io::MotionTruth truth;
   const auto sequence = render();
   if (from == 0 && to > 0) {
-    const GroundTruth& known = sequence->truth.at (to);
+    const synthetic::GroundTruth& known = sequence->truth.at (to);
     truth.flow = known.flow;
     truth.scene_flow = known.scene_flow;
     truth.visible = known.visible;
     truth.labels = sequence->labels;
-    for (const SyntheticBody& body : sequence->bodies)
+    for (const synthetic::SyntheticBody& body : sequence->bodies)
       truth.bodies.push_back (
           body.rigid ? std::optional (body.framek_from_frame0.at (to)) : std::nullopt);
     if (truth.bodies.size() == 1)
       truth.rigid = truth.bodies[0];
   }
   else if (to == from + 1) {
-    const GroundTruth& known = sequence->successive_truth.at (from);
+    const synthetic::GroundTruth& known = sequence->successive_truth.at (from);
     truth.flow = known.flow;
     truth.scene_flow = known.scene_flow;
     truth.visible = known.visible;
@@ -106,7 +107,7 @@ openGenerated (const GeneratedOptions& options)
 {
   std::vector<std::shared_ptr<const io::RgbdSequence>> all;
   const auto last = std::make_shared<LastRendered>();
-  SequenceOptions one;
+  synthetic::SequenceOptions one;
   one.width = options.width;
   one.height = options.height;
   one.frames = options.frames;
@@ -116,9 +117,9 @@ openGenerated (const GeneratedOptions& options)
   std::string why;
   if (!one.isValid (&why))
     throw InvalidInput ("generated: " + why);
-  for (const Sensor sensor : options.sensors)
-    for (const Scene scene : options.scenes)
-      for (const MotionSize motion : options.motions) {
+  for (const synthetic::Sensor sensor : options.sensors)
+    for (const synthetic::SceneKind scene : options.scenes)
+      for (const synthetic::MotionSize motion : options.motions) {
         one.scene = scene;
         one.motion = motion;
         one.sensor = sensor;

@@ -13,9 +13,11 @@ namespace pcl_msf::tool {
 
 /** \brief Which generated sequences to evaluate. */
 struct GeneratedOptions {
-  std::vector<Scene> scenes{allScenes()};
-  std::vector<MotionSize> motions{MotionSize::Easy, MotionSize::Large};
-  std::vector<Sensor> sensors{Sensor::Ideal, Sensor::Kinect};
+  std::vector<synthetic::SceneKind> scenes{synthetic::allScenes()};
+  std::vector<synthetic::MotionSize> motions{synthetic::MotionSize::Easy,
+                                             synthetic::MotionSize::Large};
+  std::vector<synthetic::Sensor> sensors{synthetic::Sensor::Ideal,
+                                         synthetic::Sensor::Kinect};
   int width{640};
   int height{480};
   int frames{2};

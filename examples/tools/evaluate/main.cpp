@@ -108,5 +108,5 @@ int
 main (int argc, char** argv)
 {
   return toolMain<EvaluateOptions> (
-      {kProgram, parseEvaluateOptions, printEvaluateHelp, run}, argc, argv);
+      {kProgram, kSummary, declareOptions, run}, argc, argv);
 }

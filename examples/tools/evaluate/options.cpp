@@ -2,13 +2,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "options.h"
 
-#include <pcl/console/print.h>
-
-#include "common/option_values.h"
+#include "common/command_line.h"
 #include "core/base/number_text.h"
 #include "evaluate_option_table.h"
 #include "method.h"
 #include "score.h"
+#include <CLI/App.hpp>
 
 #include <algorithm>
 #include <utility>
@@ -20,7 +19,9 @@ namespace {
 void
 takeDataset (const std::vector<std::string>& words, EvaluateOptions& options)
 {
-  std::vector<std::string> kinds = io::datasetKinds();
+  std::vector<std::string> kinds;
+  for (const auto& kind : io::datasetKinds())
+    kinds.push_back (kind.first);
   kinds.insert (kinds.end(), {"auto", "generated"});
   std::string list;
   for (const std::string& kind : kinds)
@@ -72,58 +73,56 @@ expandMethods (EvaluateOptions& options)
 }
 
 void
-checkRanges (const EvaluateOptions& options)
+check (EvaluateOptions& options)
 {
-  if (options.step < 1)
-    throw UsageError ("--step: " + std::to_string (options.step) + ", must be >= 1");
-  if (options.limit < 0)
-    throw UsageError ("--limit: " + std::to_string (options.limit) + ", must be >= 0");
-  if (options.jobs < 1 || options.jobs > 1024)
-    throw UsageError ("--jobs: " + std::to_string (options.jobs) +
-                      ", must be 1 to 1024");
-  if (options.shard.count > 1 && options.csv.empty())
-    throw UsageError ("--shard: needs --csv, where the shard's rows go");
+  if (options.merge) {
+    options.merged = options.words;
+    if (options.merged.empty())
+      throw UsageError ("--merge: no files to merge; give the shards' .csv");
+    return;
+  }
+  if (const std::size_t at = options.csv.find ('%'); at != std::string::npos)
+    options.csv.replace (at, 1, std::to_string (options.shard.index));
+  takeDataset (options.words, options);
+  expandMethods (options);
+  options.generated.threads = options.threads;
 }
 
-void
-printColumns ()
+/** A name and what it is, as lines of the help. */
+std::string
+helpLine (const std::string& name, const std::string& help)
 {
-  using namespace pcl::console;
-  print_info (
-      "\nColumns of the CSV, after pair, dataset, sequence, from, to, method (empty = "
-      "unknown):\n");
-  for (const Column& c : columns()) {
-    print_value ("  %-22s", c.name.c_str());
-    print_info (" %s\n", c.help);
-  }
-  print_value ("  %-22s", "motion_*");
-  print_info (" dominant motion: rotation vector (rad), translation (m)\n");
-  print_value ("  %-22s", "true_motion_*");
-  print_info (" that of static points\n");
+  return "  " + name + std::string (std::max<std::size_t> (1, 24 - name.size()), ' ') +
+         help + "\n";
+}
+
+std::string
+footer ()
+{
+  std::string text = "DATASET is one of auto";
+  for (const auto& kind : io::datasetKinds())
+    text += ", " + kind.first;
+  text += " or generated.\n\nMethods:\n";
+  for (const auto& [name, help] : methodHelp())
+    text += helpLine (name, help);
+  text +=
+      "\nColumns of the CSV, after pair, dataset, sequence, from, to, method (empty "
+      "= unknown):\n";
+  for (const Column& c : columns())
+    text += helpLine (c.name, c.help);
+  text +=
+      helpLine ("motion_*", "dominant motion: rotation vector (rad), translation (m)");
+  return text + helpLine ("true_motion_*", "that of static points");
 }
 
 } // namespace
 
-EvaluateOptions
-parseEvaluateOptions (int argc, const char* const* argv)
+void
+declareOptions (CLI::App& app, EvaluateOptions& options)
 {
-  EvaluateOptions options;
-  std::vector<std::string> words;
-  const auto take_word = [&words] (const std::string& word) { words.push_back (word); };
-  readCommandLine (argc, argv, makeEvaluateOptionTable (options), take_word);
-  if (options.help)
-    return options;
-  if (options.merge) {
-    options.merged = words;
-    if (words.empty())
-      throw UsageError ("--merge: no files to merge; give the shards' .csv");
-    return options;
-  }
-  takeDataset (words, options);
-  checkRanges (options);
-  expandMethods (options);
-  options.generated.threads = options.threads;
-  return options;
+  addEvaluateOptions (app, options);
+  app.footer (footer);
+  app.final_callback ([&options] { check (options); });
 }
 
 std::string
@@ -134,15 +133,16 @@ EvaluateOptions::settings() const
     const GeneratedOptions& g = generated;
     text += " size=" + std::to_string (g.width) + "x" + std::to_string (g.height) +
             " frames=" + std::to_string (g.frames) + " seed=" + std::to_string (g.seed);
-    for (const Scene scene : g.scenes)
+    for (const synthetic::SceneKind scene : g.scenes)
       text += std::string (" ") + toString (scene);
-    for (const MotionSize motion : g.motions)
-      text += motion == MotionSize::Easy ? " easy" : " large";
-    for (const Sensor sensor : g.sensors)
-      text += sensor == Sensor::Ideal ? " none" : " kinect";
+    for (const synthetic::MotionSize motion : g.motions)
+      text += motion == synthetic::MotionSize::Easy ? " easy" : " large";
+    for (const synthetic::Sensor sensor : g.sensors)
+      text += sensor == synthetic::Sensor::Ideal ? " none" : " kinect";
   }
   else {
-    text += " pass=" + reading.pass + " view=" + reading.view;
+    text += std::string (" pass=") + toString (reading.pass) +
+            " view=" + toString (reading.view);
     if (reading.camera)
       for (const double value : {reading.camera->fx,
                                  reading.camera->fy,
@@ -160,26 +160,6 @@ EvaluateOptions::settings() const
   for (std::size_t i = 0; i < methods.size(); ++i)
     text += (i == 0 ? "" : ",") + methods[i];
   return text;
-}
-
-void
-printEvaluateHelp (const char* program)
-{
-  using namespace pcl::console;
-  print_info ("Scores our method and baselines on a data set.\n\n");
-  print_info ("Syntax: %s DATASET PATH <options>, DATASET one of auto", program);
-  for (const std::string& kind : io::datasetKinds())
-    print_value (" %s", kind.c_str());
-  print_info ("\n    or: %s generated <options>\n", program);
-  print_info ("    or: %s --merge --csv OUT.csv SHARD.csv ...\n", program);
-  EvaluateOptions defaults;
-  printOptions (makeEvaluateOptionTable (defaults));
-  print_info ("\nMethods:\n");
-  for (const auto& [name, help] : methodHelp()) {
-    print_value ("  %-22s", name.c_str());
-    print_info (" %s\n", help.c_str());
-  }
-  printColumns();
 }
 
 } // namespace pcl_msf::tool

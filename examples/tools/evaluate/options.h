@@ -2,8 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "common/command_line.h"
+#include "common/shard.h"
 #include "generated.h"
-#include "shard.h"
 #include <pcl_msf/io/datasets.h>
 
 #include <string>
@@ -19,7 +20,8 @@ enum class Pairs {
 
 /** \brief Everything that the command line of pcl_msf_evaluate says. */
 struct EvaluateOptions {
-  std::string dataset; ///< a kind, "auto" or "generated"
+  std::vector<std::string> words; ///< without a name: the data set and its path
+  std::string dataset;            ///< a kind, "auto" or "generated"
   std::string path;
   io::DatasetOptions reading;
   GeneratedOptions generated;
@@ -31,14 +33,12 @@ struct EvaluateOptions {
   std::string labels{"method"}; ///< of all methods "msf"
   std::string start{"method"};  ///< likewise
   unsigned threads{0};
-  int jobs{1};
   Shard shard;
   std::string csv;
   std::string json;
   bool merge{false};
   std::vector<std::string> merged; ///< the files to merge, into `csv`
   bool quiet{false};
-  bool help{false};
 
   /** \brief What results depend on, as one line: rows of different settings are not
    * comparable. */
@@ -46,12 +46,15 @@ struct EvaluateOptions {
   settings () const;
 };
 
-/** \brief Reads the command line. \throws UsageError */
-EvaluateOptions
-parseEvaluateOptions (int argc, const char* const* argv);
+constexpr const char* kSummary =
+    "Scores our method and baselines on a data set.\n\n"
+    "  pcl_msf_evaluate DATASET PATH [options]\n"
+    "  pcl_msf_evaluate generated [options]\n"
+    "  pcl_msf_evaluate --merge --csv OUT.csv SHARD.csv ...";
 
-/** \brief Prints what the tool does, all options and the columns of the CSV. */
+/** \brief Adds the options to a command line, which checks them when it is read; it
+ * throws UsageError then. The help has the methods and the columns of the CSV, too. */
 void
-printEvaluateHelp (const char* program);
+declareOptions (CLI::App& app, EvaluateOptions& options);
 
 } // namespace pcl_msf::tool

@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "own_method.h"
 
-#include "common/option_values.h"
 #include "common/stop_watch.h"
 #include "lifting.h"
+#include <CLI/App.hpp>
 #include <pcl_msf/evaluation/motion_errors.h>
 #include <pcl_msf/scene_flow_estimator.h>
 
@@ -48,6 +48,24 @@ requireValid (const Parameters& parameters, const std::string& settings)
     throw UsageError ("--methods: msf:" + settings + ": " + why);
 }
 
+/** One option of the method; false when it has no such value. */
+bool
+set (MethodSettings& settings, const std::string& key, const std::string& value)
+{
+  CLI::App app;
+  addMethodOptions (app, settings);
+  if (app.get_option_no_throw ("--" + key) == nullptr)
+    throw UsageError ("--methods: msf has no setting '" + key +
+                      "'; labels, start, or an option of pcl_msf_scene_flow for two "
+                      "frames");
+  try {
+    return readCommandLine (app, {"--" + key + "=" + value});
+  }
+  catch (const UsageError&) {
+    return false;
+  }
+}
+
 } // namespace
 
 OwnMethod::OwnMethod (const std::string& settings, unsigned threads)
@@ -55,11 +73,11 @@ OwnMethod::OwnMethod (const std::string& settings, unsigned threads)
   std::istringstream stream (settings);
   for (std::string setting; std::getline (stream, setting, ':');)
     apply (setting);
-  options_.solver.threads = threads;
-  requireValid (options_.frame, settings);
-  requireValid (options_.segmentation, settings);
-  requireValid (options_.energy, settings);
-  requireValid (options_.solver, settings);
+  settings_.solver.threads = threads;
+  requireValid (settings_.frame, settings);
+  requireValid (settings_.segmentation, settings);
+  requireValid (settings_.energy, settings);
+  requireValid (settings_.solver, settings);
 }
 
 void
@@ -68,28 +86,18 @@ OwnMethod::apply (const std::string& setting)
   const std::size_t at = std::min (setting.find ('='), setting.size());
   const std::string key = setting.substr (0, at);
   const std::string value = setting.substr (std::min (at + 1, setting.size()));
-  bool taken = false;
+  bool taken = true;
   if (key == "labels")
-    taken = choice<LabelSource> (labels_,
+    taken = choose<LabelSource> (value,
                                  {{"method", LabelSource::Method},
                                   {"true", LabelSource::Truth},
-                                  {"cut", LabelSource::Cut}}) (value);
+                                  {"cut", LabelSource::Cut}},
+                                 labels_);
   else if (key == "start")
-    taken = choice<StartSource> (
-        start_,
-        {{"method", StartSource::Method}, {"true", StartSource::Truth}}) (value);
-  else {
-    const Option* found = nullptr;
-    const std::vector<OptionGroup> table = methodOptions (options_);
-    for (const OptionGroup& group : table)
-      for (const Option& option : group.options)
-        if (option.name == "--" + key)
-          found = &option;
-    if (found == nullptr)
-      throw UsageError ("--methods: msf has no setting '" + key +
-                        "'; labels, start, or an option of pcl_msf_scene_flow");
-    taken = found->set (value);
-  }
+    taken = choose<StartSource> (
+        value, {{"method", StartSource::Method}, {"true", StartSource::Truth}}, start_);
+  else
+    taken = set (settings_, key, value);
   if (!taken)
     throw UsageError ("--methods: '" + value + "' is no value of " + key +
                       "; see this option in pcl_msf_scene_flow --help");
@@ -108,7 +116,7 @@ OwnMethod::segment (const PairData& pair, const RgbdFrame& frame) const
   if (labels_ == LabelSource::Truth)
     return Oversegmentation::fromLabels (pair.truth.labels, frame);
   const Oversegmentation own = Oversegmentation::fromFrame (
-      frame, options_.segmentation, options_.solver.threads);
+      frame, settings_.segmentation, settings_.solver.threads);
   if (labels_ == LabelSource::Method)
     return own;
   return Oversegmentation::fromLabels (cutAlong (own.labels(), pair.truth.labels),
@@ -121,7 +129,7 @@ OwnMethod::estimate (const PairData& pair,
                      const RgbdFrame& current,
                      const Oversegmentation& segments) const
 {
-  const SceneFlowEstimator estimator (options_.energy, options_.solver);
+  const SceneFlowEstimator estimator (settings_.energy, settings_.solver);
   if (start_ == StartSource::Method)
     return estimator.estimate (reference, current, segments);
   return estimator.estimateFrom (reference,
@@ -137,14 +145,14 @@ Estimate
 OwnMethod::run (const PairData& pair) const
 {
   const bool color = !pair.reference.color.empty() && !pair.current.color.empty();
-  FrameParameters target = options_.frame;
+  FrameParameters target = settings_.frame;
   target.normals = NormalMethod::Skip;
   StopWatch total, watch;
   const auto policy =
-      options_.solver.threads == 1 ? std::launch::deferred : std::launch::async;
+      settings_.solver.threads == 1 ? std::launch::deferred : std::launch::async;
   auto later =
       std::async (policy, [&] { return makeFrame (pair.current, target, color); });
-  const RgbdFrame reference = makeFrame (pair.reference, options_.frame, color);
+  const RgbdFrame reference = makeFrame (pair.reference, settings_.frame, color);
   const RgbdFrame current = later.get();
   Estimate result;
   result.seconds.frame = watch.lap();

@@ -53,7 +53,7 @@ private:
             const RgbdFrame& current,
             const Oversegmentation& segments) const;
 
-  MethodSettings options_;
+  MethodSettings settings_;
   LabelSource labels_{LabelSource::Method};
   StartSource start_{StartSource::Method};
 };

@@ -14,7 +14,7 @@ namespace pcl_msf::tool {
 
 namespace {
 
-using evaluation::PointSet;
+using evaluation::ScoredPoints;
 
 double
 depthNoise (const io::RgbdImages& images)
@@ -31,11 +31,11 @@ depthNoise (const io::RgbdImages& images)
 PairScorer::PairScorer (const PairData& pair)
 : pair_ (pair)
 , all_ (evaluation::scoredPoints (
-      pair.reference.depth, pair.truth.visible, PointSet::All))
+      pair.reference.depth, pair.truth.visible, ScoredPoints::All))
 , visible_ (evaluation::scoredPoints (
-      pair.reference.depth, pair.truth.visible, PointSet::Visible))
+      pair.reference.depth, pair.truth.visible, ScoredPoints::Visible))
 , occluded_ (evaluation::scoredPoints (
-      pair.reference.depth, pair.truth.visible, PointSet::Occluded))
+      pair.reference.depth, pair.truth.visible, ScoredPoints::Occluded))
 , points_ (pointsOf (pair.reference))
 , inverse_depth_noise_ (
       std::max (depthNoise (pair.reference), depthNoise (pair.current)))

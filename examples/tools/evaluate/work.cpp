@@ -3,6 +3,7 @@
 #include "work.h"
 
 #include "common/command_line.h"
+#include "common/tool_main.h"
 #include "peak_memory.h"
 #include "score_pair.h"
 #include <pcl_msf/errors.h>
@@ -66,7 +67,9 @@ listWork (const EvaluateOptions& options)
   const auto sequences =
       options.dataset == "generated"
           ? openGenerated (options.generated)
-          : io::openDataset (options.dataset, options.path, options.reading);
+          : io::openDataset (io::datasetKindFromName (options.dataset),
+                             options.path,
+                             options.reading);
   std::vector<WorkItem> work;
   std::map<std::string, int> uses;
   for (const auto& sequence : sequences) {
@@ -91,9 +94,15 @@ PairRunner::PairRunner (const EvaluateOptions& options)
 }
 
 std::vector<Row>
-PairRunner::run (const WorkItem& item) const
+PairRunner::run (const WorkItem& item)
 {
   const PairData pair = load (item);
+  for (const auto& [frame, images] :
+       {std::pair (item.from, &pair.reference), std::pair (item.to, &pair.current)})
+    if (!images->note.empty() && told_.insert (item.name + images->note).second)
+      complain ("pcl_msf_evaluate",
+                "warning: " + item.name + ": frame " + std::to_string (frame) + ": " +
+                    images->note);
   const bool color = !pair.reference.color.empty();
   const PairScorer scorer (pair);
   cv::Mat seen;

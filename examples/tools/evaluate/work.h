@@ -7,6 +7,7 @@
 #include "score.h"
 
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -27,19 +28,21 @@ std::vector<WorkItem>
 listWork (const EvaluateOptions& options);
 
 /** \brief Runs all methods on a pair; the rows in the order of the methods. A method
- * that cannot run on this pair (no colour, no truth) has a row of unknowns. */
+ * that cannot run on this pair (no colour, no truth) has a row of unknowns. What of the
+ * files is not used is told on stderr, once a sequence. */
 class PairRunner {
 public:
   /** \throws UsageError for an unknown method */
   explicit PairRunner (const EvaluateOptions& options);
 
   std::vector<Row>
-  run (const WorkItem& item) const;
+  run (const WorkItem& item);
 
 private:
   std::string dataset_;
   std::vector<std::string> names_;
   std::vector<std::unique_ptr<Method>> methods_;
+  std::set<std::string> told_; ///< what of a sequence's files is not used
 };
 
 } // namespace pcl_msf::tool

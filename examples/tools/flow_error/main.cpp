@@ -3,8 +3,8 @@
 // End-point error of an optical flow, as pcl_msf_evaluate counts it.
 #include "common/command_line.h"
 #include "common/input_files.h"
-#include "common/option_values.h"
 #include "common/tool_main.h"
+#include <CLI/App.hpp>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/evaluation/flow_errors.h>
 #include <pcl_msf/io/figures.h>
@@ -39,29 +39,45 @@ printErrors (const char* name,
                  100.0 * errors.coverage);
 }
 
+struct FlowErrorOptions {
+  std::string flow;
+  std::string truth;
+  std::string visible; ///< may be empty
+  std::string error;   ///< may be empty
+};
+
+void
+declareOptions (CLI::App& app, FlowErrorOptions& o)
+{
+  addText (app, "FLOW", "FILE.flo", "an estimate", o.flow)->required();
+  addText (app, "TRUTH", "FILE.flo", "what it should be", o.truth)->required();
+  addText (app, "VISIBLE", "FILE.png", "a mask, for a second line", o.visible);
+  addText (app, "ERROR", "FILE.png", "becomes a picture of the error", o.error);
+}
+
 int
-run (const std::vector<std::string>& files)
+run (const FlowErrorOptions& o)
 {
   InputFiles inputs;
-  for (std::size_t i = 0; i < files.size() && i < 3; ++i)
-    inputs.add (files[i]);
-  if (files.size() == 4)
-    requireNoInput ("ERROR.png", files[3], inputs);
-  const cv::Mat flow = io::readFlow (files[0]);
-  const cv::Mat truth = io::readFlow (files[1]);
+  for (const std::string& file : {o.flow, o.truth, o.visible})
+    inputs.add (file);
+  if (!o.error.empty())
+    requireNoInput ("ERROR.png", o.error, inputs);
+  const cv::Mat flow = io::readFlow (o.flow);
+  const cv::Mat truth = io::readFlow (o.truth);
   if (flow.size() != truth.size())
-    throw InvalidInput (files[0] + " and " + files[1] + " differ in size");
+    throw InvalidInput (o.flow + " and " + o.truth + " differ in size");
   printErrors (
       "all points", flow, truth, cv::Mat (truth.size(), CV_8UC1, cv::Scalar (255)));
-  if (files.size() > 2) {
-    const cv::Mat visible = io::readMask (files[2]);
+  if (!o.visible.empty()) {
+    const cv::Mat visible = io::readMask (o.visible);
     if (visible.size() != truth.size())
-      throw InvalidInput (files[2] + ": no image of the flow's size");
+      throw InvalidInput (o.visible + ": no image of the flow's size");
     printErrors ("visible points", flow, truth, visible > 0);
   }
-  if (files.size() == 4)
+  if (!o.error.empty())
     io::writeImage (
-        files[3],
+        o.error,
         io::scalarPicture (evaluation::endPointErrors (flow, truth), 0.0, "px"));
   return 0;
 }
@@ -71,24 +87,12 @@ run (const std::vector<std::string>& files)
 int
 main (int argc, char** argv)
 {
-  return runTool (kProgram, [&] {
-    std::vector<std::string> files;
-    bool help = false;
-    CommandLine line;
-    line.summary =
-        "Prints the end-point error of an optical flow against the truth; an "
-        "unknown flow\ncounts as zero motion. ERROR.png becomes a picture of "
-        "it.";
-    line.syntax = {"pcl_msf_flow_error FLOW.flo TRUTH.flo [VISIBLE.png [ERROR.png]]"};
-    line.options = {{"--help", "", "print this", flag (help)}};
-    line.take_word = [&files] (const std::string& word) { files.push_back (word); };
-    line.read (argc, argv);
-    if (help || argc < 2) {
-      line.printHelp();
-      return help ? 0 : 1;
-    }
-    if (files.size() < 2 || files.size() > 4)
-      throw UsageError ("give FLOW.flo TRUTH.flo [VISIBLE.png [ERROR.png]]");
-    return run (files);
-  });
+  return toolMain<FlowErrorOptions> (
+      {kProgram,
+       "Prints the end-point error of an optical flow against the truth; an unknown "
+       "flow\ncounts as zero motion.",
+       declareOptions,
+       run},
+      argc,
+      argv);
 }

@@ -1,46 +1,79 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+// Registers two organized clouds and saves the first one carried to the second.
 #include <pcl/io/pcd_io.h>
 
+#include "common/command_line.h"
+#include "common/input_files.h"
+#include "common/tool_main.h"
+#include <CLI/App.hpp>
+#include <pcl_msf/errors.h>
 #include <pcl_msf/piecewise_rigid_registration.h>
 
-#include <filesystem>
 #include <iostream>
-#include <string>
-#include <system_error>
 
-/** Registers two organized clouds and saves the first one carried to the second. */
-int
-main (int argc, char** argv)
+namespace {
+
+using namespace pcl_msf;
+using namespace pcl_msf::tool;
+using Cloud = pcl::PointCloud<pcl::PointXYZRGBA>;
+
+struct RegisterOptions {
+  std::string reference;
+  std::string current;
+  std::string warped;
+};
+
+void
+declareOptions (CLI::App& app, RegisterOptions& o)
 {
-  using Cloud = pcl::PointCloud<pcl::PointXYZRGBA>;
-  const auto reference = pcl::make_shared<Cloud>();
-  const auto current = pcl::make_shared<Cloud>();
-  const std::string first = argc > 1 ? argv[1] : "";
-  const bool help = first == "--help" || first == "-h";
-  std::error_code none;
-  for (int i = 1; argc == 4 && i < 3; ++i)
-    if (std::filesystem::equivalent (argv[i], argv[3], none)) {
-      std::cerr << argv[3] << " is the input " << argv[i] << "; give another name\n";
-      return 2;
-    }
-  if (argc != 4 || pcl::io::loadPCDFile (argv[1], *reference) < 0 ||
-      pcl::io::loadPCDFile (argv[2], *current) < 0) {
-    (help ? std::cout : std::cerr)
-        << "usage: pcl_msf_register_clouds REFERENCE.pcd CURRENT.pcd WARPED.pcd\n";
-    return help ? 0 : 2;
-  }
+  addText (app, "REFERENCE", "FILE.pcd", "an organized cloud", o.reference)->required();
+  addText (app, "CURRENT", "FILE.pcd", "one of the same size", o.current)->required();
+  addText (app, "WARPED", "FILE.pcd", "the first carried to the second", o.warped)
+      ->required();
+}
 
-  pcl_msf::PiecewiseRigidRegistration<pcl::PointXYZRGBA> registration;
-  registration.setInputSource (reference);
-  registration.setInputTarget (current);
+Cloud::Ptr
+load (const std::string& path)
+{
+  const auto cloud = pcl::make_shared<Cloud>();
+  if (pcl::io::loadPCDFile (path, *cloud) < 0)
+    throw IoError (path + ": cannot be read as .pcd; check the path and the format");
+  return cloud;
+}
+
+int
+run (const RegisterOptions& o)
+{
+  InputFiles inputs;
+  inputs.add (o.reference);
+  inputs.add (o.current);
+  requireNoInput ("WARPED", o.warped, inputs);
+  PiecewiseRigidRegistration<pcl::PointXYZRGBA> registration;
+  registration.setInputSource (load (o.reference));
+  registration.setInputTarget (load (o.current));
   Cloud warped;
   registration.align (warped);
   if (!registration.hasConverged())
-    return 1; // the reason is on stderr and in getReport ().message
-
+    throw InvalidInput (registration.getReport().message);
   std::cout << registration.getSceneFlow().bodies << " motion groups, dominant motion\n"
             << registration.getFinalTransformation() << "\nmean squared distance "
             << registration.getFitnessScore() << " m^2\n";
-  return pcl::io::savePCDFileBinary (argv[3], warped) == 0 ? 0 : 1;
+  if (pcl::io::savePCDFileBinary (o.warped, warped) != 0)
+    throw IoError (o.warped + ": cannot be written; check the folder");
+  return 0;
+}
+
+} // namespace
+
+int
+main (int argc, char** argv)
+{
+  return toolMain<RegisterOptions> (
+      {"pcl_msf_register_clouds",
+       "Registers two organized clouds and saves the first one carried to the second.",
+       declareOptions,
+       run},
+      argc,
+      argv);
 }

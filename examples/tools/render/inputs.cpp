@@ -4,6 +4,7 @@
 
 #include "common/default_estimation.h"
 #include "common/interruption.h"
+#include "common/result_folder.h"
 #include "common/tool_main.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/images.h>
@@ -19,22 +20,6 @@ namespace pcl_msf::tool {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string
-sceneFlowName (const ResultPair& pair)
-{
-  return "scene_flow_" + std::to_string (pair.reference) + "_" +
-         std::to_string (pair.current) + ".pcd";
-}
-
-void
-requireFrame (const io::RgbdSequence& frames, int frame)
-{
-  if (frame >= frames.frames())
-    throw UsageError (frames.name() + " has " + std::to_string (frames.frames()) +
-                      " frames, there is no frame " + std::to_string (frame) +
-                      "; choose another by --frame, --reference or --window");
-}
 
 /** Last frame that pictures of the way through the window need; 0 = none does. */
 int
@@ -68,42 +53,14 @@ choosePair (const std::vector<ResultPair>& pairs, const RenderOptions& options)
                     "choose");
 }
 
-/** Motion groups and visibility, which the cloud does not hold. */
-void
-addImages (const fs::path& folder, const ResultPair& pair, SceneFlow& flow)
-{
-  const std::string reference = std::to_string (pair.reference);
-  const std::string bodies = (folder / ("bodies_" + reference + ".png")).string();
-  if (fs::exists (bodies))
-    io::setBodies (io::readLabels (bodies), flow);
-  else
-    flow.segments.clear();
-  const std::string seen = (folder / ("visibility_" + reference + "_" +
-                                      std::to_string (pair.current) + ".png"))
-                               .string();
-  if (!fs::exists (seen))
-    return;
-  flow.visibility = io::readColor (seen);
-  if (flow.visibility.type() != CV_8UC1 || flow.visibility.size() != flow.labels.size())
-    throw IoError (seen + ": image: " + std::to_string (flow.visibility.cols) + "x" +
-                   std::to_string (flow.visibility.rows) + ", the scene flow " +
-                   std::to_string (flow.labels.cols) + "x" +
-                   std::to_string (flow.labels.rows) +
-                   "; give the folder as pcl_msf_scene_flow wrote it");
-}
-
 /** A folder that pcl_msf_scene_flow wrote. */
 RenderInputs
 loadResult (const ResultPair& pair, const RenderOptions& options)
 {
   const fs::path folder = options.input;
   RenderInputs inputs;
-  io::StoredSceneFlow stored =
-      io::readSceneFlowCloud ((folder / sceneFlowName (pair)).string());
-  inputs.result.scene_flow = std::move (stored.scene_flow);
-  inputs.result.reference_color = stored.color;
-  SceneFlow& flow = inputs.result.scene_flow;
-  addImages (folder, pair, flow);
+  inputs.result = readResult (options.input, pair);
+  const SceneFlow& flow = inputs.result.scene_flow;
   if (!options.sequence.empty()) {
     const auto frames = openFrames (options.sequence, options.reading);
     requireFrame (*frames, pair.current);

@@ -2,17 +2,14 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "render/option_table.h"
 
-#include "common/default_help.h"
-#include "render/inputs.h"
+#include "common/ranges.h"
+#include "common/recordings.h"
 
 #include <optional>
-#include <utility>
 
 namespace pcl_msf::tool {
 
 namespace {
-
-using visualization::PictureKind;
 
 bool
 parsePoint (const std::string& text, std::optional<Eigen::Vector3d>& point)
@@ -51,16 +48,14 @@ parseBackground (const std::string& text, cv::Vec3b& background)
   return true;
 }
 
-bool
-addKind (const std::string& text, RenderOptions& options)
+/** "white", "black" or "R,G,B". */
+std::string
+backgroundText (const cv::Vec3b& bgr)
 {
-  const bool sheet = text == "sheet" || text == "all";
-  const std::size_t before = options.kinds.size();
-  options.sheet = options.sheet || sheet;
-  for (const auto& [name, kind] : visualization::pictureKinds())
-    if (name == text || text == "all")
-      options.kinds.push_back (kind);
-  return sheet || options.kinds.size() > before;
+  if (bgr == cv::Vec3b::all (255) || bgr == cv::Vec3b::all (0))
+    return bgr[0] == 0 ? "black" : "white";
+  return std::to_string (bgr[2]) + "," + std::to_string (bgr[1]) + "," +
+         std::to_string (bgr[0]);
 }
 
 std::string
@@ -69,148 +64,181 @@ kindNames ()
   std::string names;
   for (const auto& kind : visualization::pictureKinds())
     names += kind.first + ", ";
-  return names + "sheet (side by side) or all; may be given again [sheet]";
+  return names + "sheet (side by side) or all; may be given again";
 }
 
-std::vector<Option>
-inputOptions (RenderOptions& o)
+/** "0,-1,0" */
+std::string
+textOf (const Eigen::Vector3d& point)
 {
-  return {
-      {"--sequence",
-       "FOLDER",
-       "frames of a result folder: color_K, depth_K, camera.txt, "
-       "or a data set's",
-       text (o.sequence)},
-      {"--reference",
-       "R",
-       "the frame whose points are followed [the first of a result, else 0]",
-       [&o] (const std::string& word) { return parse (word, o.reference.emplace()); }},
-      {"--frame",
-       "K",
-       "the current frame [the one after the reference]",
-       [&o] (const std::string& word) { return parse (word, o.frame.emplace()); }},
-      numeric ("--window",
-               "K",
-               "last frame of trajectories and of the warp, 0 = --frame",
-               o.window),
-      {"--kind",
-       "KIND",
-       kindNames(),
-       [&o] (const std::string& word) { return addKind (word, o); }},
-      {"--output", "DIR", "folder for KIND.png and so on [.]", text (o.output)}};
+  return presetText (point.x()) + "," + presetText (point.y()) + "," +
+         presetText (point.z());
 }
 
-std::vector<Option>
-viewOptions (RenderOptions& o)
+void
+addPoint (CLI::App& app,
+          const std::string& name,
+          const std::string& help,
+          std::optional<Eigen::Vector3d>& point)
 {
-  return {{"--view",
-           "NAME",
-           "sensor, orbit, top, or user with --eye and --target [sensor]",
-           choice (o.view,
-                   {{"sensor", ViewPreset::Sensor},
-                    {"orbit", ViewPreset::Orbit},
-                    {"top", ViewPreset::Top},
-                    {"user", ViewPreset::User}})},
-          numeric ("--azimuth", "DEG", "orbit: to the right", o.azimuth),
-          numeric ("--elevation", "DEG", "orbit: upwards, -89 to 89", o.elevation),
-          numeric ("--zoom", "FACTOR", "orbit, top: nearer when above 1", o.zoom),
-          {"--eye",
-           "X,Y,Z",
-           "user: metres, sensor's frame (x right, y down, z forward)",
-           [&o] (const std::string& word) { return parsePoint (word, o.eye); }},
-          {"--target",
-           "X,Y,Z",
-           "user: the point looked at [the scene's centre]",
-           [&o] (const std::string& word) { return parsePoint (word, o.target); }},
-          {"--up",
-           "X,Y,Z",
-           "user [0,-1,0]",
-           [&o] (const std::string& word) {
-             std::optional<Eigen::Vector3d> up;
-             if (parsePoint (word, up))
-               o.up = *up;
-             return up.has_value();
-           }},
-          numeric ("--field-of-view",
-                   "DEG",
-                   "orbit, top, user: along the larger side",
-                   o.field_of_view),
-          switchable ("--parallel",
-                      "parallel projection, with a length in metres",
-                      o.parallel)};
+  addOption (app, name, "X,Y,Z", help, [&point] (const std::string& word) {
+    return parsePoint (word, point);
+  });
 }
 
-std::vector<Option>
-styleOptions (RenderOptions& o)
+void
+addInputOptions (CLI::App& app, RenderOptions& o)
 {
-  return {{"--size",
-           "WxH",
-           "pixels, up to 3840x2160 [the sensor's size]",
-           [&o] (const std::string& word) { return parseSize (word, o); }},
-          numeric ("--supersampling",
-                   "N",
-                   "drawn N times larger, 1 to 8",
-                   o.style.supersampling),
-          numeric ("--point-size",
-                   "PX",
-                   "0 = as large as the gaps between points",
-                   o.style.point_size),
-          {"--background",
-           "COLOR",
-           "white, black or R,G,B [white]",
-           [&o] (const std::string& word) {
-             return parseBackground (word, o.style.background);
-           }},
-          switchable ("--axes", "directions of the sensor's frame", o.style.axes),
-          switchable ("--legend", "legend and colour scale", o.style.legend),
-          switchable ("--title", "", o.style.title),
-          numeric ("--arrow-step",
-                   "PX",
-                   "pixels between arrows or trajectories, 0 = as fit",
-                   o.scene.arrow_step),
-          numeric ("--arrow-scale",
-                   "FACTOR",
-                   "arrows are so many times the displacement, 0 = as can be seen",
-                   o.scene.arrow_scale),
-          numeric ("--maximum",
-                   "VALUE",
-                   "end of the colour scale, 0 = 99th percentile",
-                   o.scene.maximum)};
+  addText (app,
+           "RESULT",
+           "FOLDER",
+           "what pcl_msf_scene_flow wrote, or frames to be solved first",
+           o.input);
+  beginGroup (app, "What to read and write");
+  addText (app,
+           "--sequence",
+           "FOLDER",
+           "frames of a result folder: color_K, depth_K, camera.txt, or a data set's",
+           o.sequence);
+  addNumber (app,
+             "--reference",
+             "R",
+             "the frame whose points are followed [the first of a result, else 0]",
+             o.reference)
+      ->check (atLeast (0));
+  addNumber (
+      app, "--frame", "K", "the current frame [the one after the reference]", o.frame)
+      ->check (atLeast (0));
+  addNumber (app,
+             "--window",
+             "K",
+             "last frame of trajectories and of the warp, 0 = --frame",
+             o.window)
+      ->check (atLeast (0));
+  addTexts (app, "--kind", "KIND", kindNames(), o.kind_words)->default_str ("sheet");
+  addText (app, "--output", "DIR", "folder for KIND.png and so on", o.output);
+  addReadingOptions (app, o.reading);
 }
 
-std::vector<Option>
-animationOptions (RenderOptions& o)
+void
+addViewOptions (CLI::App& app, RenderOptions& o)
 {
-  return {
-      {"--animation",
-       "NAME",
-       "orbit (around the first --kind) or warp (reference to "
-       "current and back) as PNG sequence",
-       choice (o.animation, {{"orbit", Animation::Orbit}, {"warp", Animation::Warp}})},
-      numeric ("--sweep",
-               "DEG",
-               "orbit: there and back over so much, 360 = a whole turn",
-               o.sweep),
-      numeric ("--pictures", "N", "of an animation, 2 to 2000", o.pictures),
-      numeric ("--rate", "HZ", "pictures per second", o.rate),
-      {"--gif", "", "also an animated GIF, by ffmpeg or ImageMagick", flag (o.gif)},
-      {"--mp4", "", "also an MP4, by ffmpeg or OpenCV", flag (o.mp4)},
-      {"--quiet", "", "print nothing but errors", flag (o.quiet)},
-      {"--help", "", "print this", flag (o.help)}};
+  beginGroup (app, "From where");
+  addWord<ViewPreset> (app,
+                       "--view",
+                       "user: with --eye and --target",
+                       o.view,
+                       {{"sensor", ViewPreset::Sensor},
+                        {"orbit", ViewPreset::Orbit},
+                        {"top", ViewPreset::Top},
+                        {"user", ViewPreset::User}});
+  addNumber (app, "--azimuth", "DEG", "orbit: to the right", o.azimuth);
+  addNumber (app, "--elevation", "DEG", "orbit: upwards, -89 to 89", o.elevation);
+  addNumber (app, "--zoom", "FACTOR", "orbit, top: nearer when above 1", o.zoom)
+      ->check (above (0));
+  addPoint (
+      app, "--eye", "user: metres, sensor's frame (x right, y down, z forward)", o.eye);
+  addPoint (
+      app, "--target", "user: the point looked at [the scene's centre]", o.target);
+  const auto take_up = [&o] (const std::string& word) {
+    std::optional<Eigen::Vector3d> up;
+    if (parsePoint (word, up))
+      o.up = *up;
+    return up.has_value();
+  };
+  addOption (app, "--up", "X,Y,Z", "user", take_up, textOf (o.up));
+  addNumber (app,
+             "--field-of-view",
+             "DEG",
+             "orbit, top, user: along the larger side",
+             o.field_of_view)
+      ->check (within (1.0, 170.0));
+  addSwitch (
+      app, "--parallel", "parallel projection, with a length in metres", o.parallel);
+}
+
+void
+addStyleOptions (CLI::App& app, RenderOptions& o)
+{
+  beginGroup (app, "How it looks");
+  addOption (app,
+             "--size",
+             "WxH",
+             "pixels, up to 3840x2160 [the sensor's size]",
+             [&o] (const std::string& word) { return parseSize (word, o); });
+  addNumber (
+      app, "--supersampling", "N", "drawn N times larger", o.style.supersampling);
+  addNumber (app,
+             "--point-size",
+             "PX",
+             "0 = as large as the gaps between points",
+             o.style.point_size);
+  addOption (
+      app,
+      "--background",
+      "COLOR",
+      "white, black or R,G,B",
+      [&o] (const std::string& word) {
+        return parseBackground (word, o.style.background);
+      },
+      backgroundText (o.style.background));
+  addSwitch (app, "--axes", "directions of the sensor's frame", o.style.axes);
+  addSwitch (app, "--legend", "legend and colour scale", o.style.legend);
+  addSwitch (app, "--title", "what the picture shows, in words", o.style.title);
+  addNumber (app,
+             "--arrow-step",
+             "PX",
+             "pixels between arrows or trajectories, 0 = as fit",
+             o.scene.arrow_step)
+      ->check (atLeast (0));
+  addNumber (app,
+             "--arrow-scale",
+             "FACTOR",
+             "arrows are so many times the displacement, 0 = as can be seen",
+             o.scene.arrow_scale)
+      ->check (atLeast (0));
+  addNumber (app,
+             "--maximum",
+             "VALUE",
+             "end of the colour scale, 0 = 99th percentile",
+             o.scene.maximum);
+}
+
+void
+addAnimationOptions (CLI::App& app, RenderOptions& o)
+{
+  beginGroup (app, "Animation");
+  auto* animation = addWord<Animation> (
+      app,
+      "--animation",
+      "orbit (around the first --kind) or warp (reference to current and back) as PNG "
+      "sequence",
+      o.animation,
+      {{"orbit", Animation::Orbit}, {"warp", Animation::Warp}});
+  addNumber (app,
+             "--sweep",
+             "DEG",
+             "orbit: there and back over so much, 360 = a whole turn",
+             o.sweep);
+  addNumber (app, "--pictures", "N", "of an animation", o.pictures)
+      ->check (within (2, 2000));
+  addNumber (app, "--rate", "HZ", "pictures per second", o.rate)
+      ->check (inRange (1e-3, 120.0, "above 0, to 120"));
+  addFlag (app, "--gif", "no longer made; says what joins the pictures", o.gif)
+      ->group ("");
+  addFlag (app, "--mp4", "also an MP4", o.mp4)->needs (animation);
+  addFlag (app, "--quiet", "print nothing but errors", o.quiet);
 }
 
 } // namespace
 
-std::vector<Option>
-renderOptionTable (RenderOptions& options)
+void
+addRenderOptions (CLI::App& app, RenderOptions& options)
 {
-  std::vector<Option> table = inputOptions (options);
-  for (Option& option : readingOptions (options.reading))
-    table.push_back (std::move (option));
-  for (auto make : {viewOptions, styleOptions, animationOptions})
-    for (Option& option : make (options))
-      table.push_back (std::move (option));
-  return table;
+  addInputOptions (app, options);
+  addViewOptions (app, options);
+  addStyleOptions (app, options);
+  addAnimationOptions (app, options);
 }
 
 } // namespace pcl_msf::tool

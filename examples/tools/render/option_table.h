@@ -2,16 +2,13 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "common/command_line.h"
 #include "render/options.h"
-
-#include <vector>
 
 namespace pcl_msf::tool {
 
-/** \brief All options of pcl_msf_render, bound to the fields of `options`, which must
- * outlive them. */
-std::vector<Option>
-renderOptionTable (RenderOptions& options);
+/** \brief Adds all options of pcl_msf_render, bound to the fields of `options`, which
+ * must outlive the application. */
+void
+addRenderOptions (CLI::App& app, RenderOptions& options);
 
 } // namespace pcl_msf::tool

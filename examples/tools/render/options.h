@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "common/command_line.h"
 #include <pcl_msf/io/datasets.h>
 #include <pcl_msf/pinhole_camera.h>
 #include <pcl_msf/visualization/result_scenes.h>
@@ -27,9 +28,10 @@ struct RenderOptions {
   std::optional<int> frame;     ///< the current one; none = next to the reference
   io::DatasetOptions reading;   ///< of frames
   int window{0}; ///< last frame of trajectories and warps; 0 = the current one
+  std::vector<std::string> kind_words; ///< as given; read into the next two
   std::vector<visualization::PictureKind> kinds;
   bool sheet{false};
-  std::string output;
+  std::string output{"."};
 
   ViewPreset view{ViewPreset::Sensor};
   double azimuth{25.0};
@@ -49,18 +51,25 @@ struct RenderOptions {
   Animation animation{Animation::None};
   int pictures{48};
   double rate{24.0}; ///< pictures per second
-  bool gif{false};
+  bool gif{false};   ///< refused
   bool mp4{false};
 
   bool quiet{false};
-  bool help{false};
 };
 
-/** \brief Reads the command line. \throws UsageError */
-RenderOptions
-parseRenderOptions (int argc, const char* const* argv);
+constexpr const char* kSummary =
+    "Pictures of a scene flow in 3-D, made without a display.\n\n"
+    "  pcl_msf_render RESULT [--sequence FOLDER] [options]\n"
+    "  pcl_msf_render FOLDER [options]\n\n"
+    "RESULT is a folder that pcl_msf_scene_flow wrote: scene_flow_R_K.pcd is read,\n"
+    "bodies_R.png and visibility_R_K.png when they are there. Kinds that show the\n"
+    "current frame need --sequence. FOLDER holds frames, as pcl_msf_scene_flow takes\n"
+    "them; their scene flow is computed first, with the default parameters. Without\n"
+    "a display an Xvfb is started.";
 
+/** \brief Adds the options to a command line, which checks them when it is read; it
+ * throws UsageError then. */
 void
-printRenderHelp ();
+declareOptions (CLI::App& app, RenderOptions& options);
 
 } // namespace pcl_msf::tool

@@ -208,10 +208,6 @@ private:
   encode (const std::string& name, const std::vector<std::string>& pictures)
   {
     const std::string base = (fs::path (output_.stage()) / name).string();
-    if (options_.gif) {
-      writeGif (base + ".gif", pictures, options_.rate, interrupted);
-      add (name + ".gif");
-    }
     if (options_.mp4) {
       writeMp4 (base + ".mp4", pictures, options_.rate, interrupted);
       add (name + ".mp4");

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 // One page over results: folders of pcl_msf_scene_flow and CSV tables in, HTML out.
-#include <opencv2/core/utils/logger.hpp>
-
 #include "common/command_line.h"
 #include "common/input_files.h"
-#include "common/option_values.h"
 #include "common/tool_main.h"
+#include <CLI/App.hpp>
 #include <pcl_msf/io/folders.h>
 #include <pcl_msf/io/html_report.h>
 
 #include <cstdio>
-#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -21,7 +18,6 @@
 namespace {
 
 using namespace pcl_msf;
-using tool::CommandLine;
 using tool::InputFiles;
 using tool::requireNoInput;
 using tool::UsageError;
@@ -31,37 +27,28 @@ struct ReportOptions {
   std::vector<std::string> tables;
   std::string title{"pcl_msf"};
   std::string output{"index.html"};
-  bool help{false};
 };
 
-CommandLine
-makeCommandLine (ReportOptions& options)
+constexpr const char* kSummary =
+    "Writes a page over results that opens from disk: thumbnails, sliders,\n"
+    "tables and plots. Pictures stay where they are and are linked.";
+
+void
+declareOptions (CLI::App& app, ReportOptions& options)
 {
-  CommandLine line;
-  line.summary =
-      "Writes a page over results that opens from disk: thumbnails, sliders,\n"
-      "tables and plots. Pictures stay where they are and are linked.";
-  line.syntax = {"pcl_msf_report FOLDER... [--csv FILE]... [--output index.html]"};
-  line.options = {{"--csv",
-                   "FILE",
-                   "a table, e.g. of an evaluation; may be given again",
-                   [&options] (const std::string& word) {
-                     options.tables.push_back (word);
-                     return !word.empty();
-                   }},
-                  {"--title",
-                   "TEXT",
-                   "[pcl_msf]",
-                   [&options] (const std::string& word) {
-                     options.title = word;
-                     return true;
-                   }},
-                  {"--output", "FILE", "[index.html]", tool::text (options.output)},
-                  {"--help", "", "print this", tool::flag (options.help)}};
-  line.take_word = [&options] (const std::string& word) {
-    options.folders.push_back (word);
-  };
-  return line;
+  tool::addTexts (
+      app, "FOLDER", "PATH", "of pcl_msf_scene_flow, or above some", options.folders);
+  tool::addTexts (app,
+                  "--csv",
+                  "FILE",
+                  "a table, e.g. of an evaluation; may be given again",
+                  options.tables);
+  tool::addText (app, "--title", "TEXT", "of the page", options.title);
+  tool::addText (app, "--output", "FILE", "the page", options.output);
+  app.final_callback ([&options] {
+    if (options.folders.empty() && options.tables.empty())
+      throw UsageError ("give folders of pcl_msf_scene_flow, or --csv FILE");
+  });
 }
 
 /** Entries of all folders. Where folders have one name, their paths tell them apart. */
@@ -137,21 +124,6 @@ run (const ReportOptions& options)
 int
 main (int argc, char** argv)
 {
-  cv::utils::logging::setLogLevel (cv::utils::logging::LOG_LEVEL_SILENT);
-  ReportOptions options;
-  const CommandLine line = makeCommandLine (options);
-  try {
-    line.read (argc, argv);
-    if (options.help) {
-      line.printHelp();
-      return 0;
-    }
-    if (options.folders.empty() && options.tables.empty())
-      throw UsageError ("give folders of pcl_msf_scene_flow, or --csv FILE");
-    return run (options);
-  }
-  catch (const std::exception& e) {
-    tool::complain ("pcl_msf_report", e.what());
-    return 1;
-  }
+  return tool::toolMain<ReportOptions> (
+      {"pcl_msf_report", kSummary, declareOptions, run}, argc, argv);
 }

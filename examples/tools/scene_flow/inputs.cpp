@@ -25,7 +25,8 @@ openSequence (const Options& options)
   dataset.camera = options.camera;
   dataset.depth_scale = options.depth_scale;
   dataset.max_time_difference = options.max_time_difference;
-  const auto sequences = io::openDataset ("auto", options.sequence, dataset);
+  const auto sequences =
+      io::openDataset (io::DatasetKind::Automatic, options.sequence, dataset);
   if (sequences.size() != 1)
     throw UsageError ("'" + options.sequence + "': holds " +
                       std::to_string (sequences.size()) + " sequences, " +

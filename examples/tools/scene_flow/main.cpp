@@ -7,11 +7,13 @@
 #include "common/output_folder.h"
 #include "common/output_manifest.h"
 #include "common/tool_main.h"
+#include "merge_shards.h"
 #include "options.h"
 #include "output.h"
 #include "pipeline.h"
 #include "tracking.h"
-#include <pcl_msf/io/pose_files.h>
+#include "trajectory.h"
+#include "window_log.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -52,42 +54,24 @@ printSummary (const Outcome& outcome, const std::string& folder)
   print_info ("]\n");
 }
 
-/** Camera poses from the windows' dominant motions; each window goes on where the last
- * one ended. */
-class Trajectory {
-public:
-  void
-  add (const Outcome& outcome, const Inputs& inputs)
-  {
-    const MultiframeSceneFlow& result = outcome.result;
-    // The window's frame 0 is the last one's last.
-    const RigidPose world_from_reference =
-        last_ *
-        (result.reference == 0 ? RigidPose{} : result.frames[0].dominant_motion);
-    for (std::size_t k = poses_.empty() ? 0 : 1; k < result.frames.size(); ++k) {
-      const RigidPose motion = static_cast<int> (k) == result.reference
-                                   ? RigidPose{}
-                                   : result.frames[k].dominant_motion;
-      poses_.push_back ({inputs.timestamp (outcome.indices[k]),
-                         world_from_reference * motion.inverse()});
-    }
-    last_ = poses_.back().world_from_camera;
+/** What others need of a window's result. */
+WindowRecord
+recordOf (const Outcome& outcome, const Inputs& inputs, int window)
+{
+  const MultiframeSceneFlow& result = outcome.result;
+  WindowRecord record;
+  record.window = window;
+  record.frames = outcome.indices;
+  record.reference = result.reference;
+  record.converged = outcome.lastFlow().report.converged;
+  for (std::size_t k = 0; k < result.frames.size(); ++k) {
+    const bool reference = static_cast<int> (k) == result.reference;
+    record.motions.push_back (reference ? RigidPose{}
+                                        : result.frames[k].dominant_motion);
+    record.seconds.push_back (inputs.timestamp (outcome.indices[k]));
   }
-  void
-  add (double seconds, const RigidPose& world_from_camera)
-  {
-    poses_.push_back ({seconds, world_from_camera});
-  }
-  const std::vector<io::TimedPose>&
-  poses () const
-  {
-    return poses_;
-  }
-
-private:
-  std::vector<io::TimedPose> poses_;
-  RigidPose last_; ///< world_from_camera of the last frame so far
-};
+  return record;
+}
 
 /** \return has it converged? */
 bool
@@ -106,17 +90,31 @@ warnUnlessConverged (const Outcome& outcome)
 /** Where a run's files go, window by window. */
 class Results {
 public:
-  Results (const Options& options, const Inputs& inputs)
+  /** \param windows of the recording */
+  Results (const Options& options, const Inputs& inputs, int windows)
   : options_ (options)
   , folder_ (options.output, kProgram)
-  , trajectory_ (inputs.frames() > 2 || options.track)
+  , trajectory_ ((inputs.frames() > 2 || options.track) && !options.sharded())
+  , log_ (options.settings, windows, options.shard)
   {
     const InputFiles files = inputFiles (options);
     for (const std::string& name : renders (OutputManifest (options.output, kRender)))
       requireNoInput ("--output", options.output + "/" + name, files);
+    if (options.sharded()) {
+      log_.resume (options.output);
+      for (const auto& [window, record] : log_.records())
+        converged_ = converged_ && record.converged;
+      folder_.keep ([] (const std::string&, const std::string&) { return true; });
+    }
     folder_.check (files, [&inputs] (const std::string& name) {
-      return isResultName (name, inputs.frames());
+      return isResultName (name, inputs.frames()) || name == WindowLog::kName;
     });
+  }
+  /** Is this window this run's, and not done yet? */
+  bool
+  wants (int window) const
+  {
+    return options_.shard.has (window) && !log_.has (window);
   }
   void
   write (Outcome& outcome, const Trajectory& trajectory)
@@ -126,10 +124,18 @@ public:
     writeOutcome (outcome, staged);
     if (trajectory_)
       io::writeTrajectory (folder_.stage() + "/trajectory.txt", trajectory.poses());
+    if (options_.sharded())
+      log_.write (folder_.stage());
     folder_.publish();
     if (!options_.quiet)
       printSummary (outcome, options_.output);
     converged_ = warnUnlessConverged (outcome) && converged_;
+  }
+  /** Before its files are written. */
+  void
+  note (const WindowRecord& record)
+  {
+    log_.add (record);
   }
   void
   finish ()
@@ -174,19 +180,32 @@ private:
   const Options& options_;
   OutputFolder folder_;
   bool trajectory_;
+  WindowLog log_;
   bool converged_{true};
 };
 
-/** Windows that share a frame. */
+/** Windows share a frame. */
+int
+windowsOf (const Inputs& inputs)
+{
+  const int step = inputs.window() - 1;
+  return (inputs.frames() - 1 + step - 1) / step;
+}
+
 void
 runWindows (const Options& options, Inputs& inputs, Results& results)
 {
   Trajectory trajectory;
   const int step = inputs.window() - 1;
-  for (int first = 0; first + 1 < inputs.frames(); first += step) {
+  for (int window = 0; window < windowsOf (inputs); ++window) {
+    if (!results.wants (window))
+      continue;
+    const int first = window * step;
     const int count = std::min (inputs.window(), inputs.frames() - first);
     Outcome outcome = runPipeline (options, inputs, first, count);
-    trajectory.add (outcome, inputs);
+    const WindowRecord record = recordOf (outcome, inputs, window);
+    trajectory.add (record);
+    results.note (record);
     results.write (outcome, trajectory);
   }
 }
@@ -204,21 +223,32 @@ runTracking (const Options& options, Inputs& inputs, Results& results)
   }
 }
 
+/** The name of the recording's folder and what is in it. */
+std::string
+standardOutput (const Options& options)
+{
+  return std::filesystem::absolute (options.sequence + "/.")
+             .parent_path()
+             .filename()
+             .string() +
+         "_scene_flow";
+}
+
 int
 run (const Options& given)
 {
   Options options = given;
+  if (options.merge)
+    return mergeShards (options.output, kProgram) ? 0 : kNotConverged;
   Inputs inputs (options, [] (const std::string& problem) {
     complain (kProgram, "warning: " + problem);
   });
   if (options.output.empty())
-    options.output = std::filesystem::absolute (options.sequence + "/.")
-                         .parent_path()
-                         .filename()
-                         .string() +
-                     "_scene_flow";
+    options.output = standardOutput (options);
   requireOutside ("--output", options.output, options.sequence);
-  Results results (options, inputs);
+  if (options.sharded())
+    options.output = folderOfShard (options.output, options.shard);
+  Results results (options, inputs, windowsOf (inputs));
   if (options.track)
     runTracking (options, inputs, results);
   else
@@ -232,5 +262,5 @@ run (const Options& given)
 int
 main (int argc, char** argv)
 {
-  return toolMain<Options> ({kProgram, parseOptions, printHelp, run}, argc, argv);
+  return toolMain<Options> ({kProgram, kSummary, declareOptions, run}, argc, argv);
 }

@@ -2,139 +2,113 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "option_table.h"
 
-#include "common/default_help.h"
-
-#include <algorithm>
-#include <string>
-#include <vector>
+#include "common/ranges.h"
+#include "common/recordings.h"
 
 namespace pcl_msf::tool {
 
 namespace {
 
-Setter
-append (std::vector<std::string>& files)
+void
+addInputOptions (CLI::App& app, Options& o)
 {
-  return [&files] (const std::string& text) {
-    files.push_back (text);
-    return !text.empty();
-  };
+  addText (app, "FOLDER", "PATH", "a recording in place of files", o.sequence);
+  beginGroup (app, "Input and output");
+  auto* color =
+      addTexts (app, "--color", "FILE", "colour or grey image; once a frame", o.color);
+  auto* depth = addTexts (app,
+                          "--depth",
+                          "FILE",
+                          "depth image, 16-bit PNG, .dpt, .pfm or float .tiff; once a "
+                          "frame",
+                          o.depth);
+  addTexts (app,
+            "--cloud",
+            "FILE",
+            "organized .pcd in place of --color and --depth; once a frame",
+            o.cloud)
+      ->excludes (color)
+      ->excludes (depth);
+  addCamera (app, "pinhole camera, pixels; fitted to clouds when not given", o.camera);
+  addDepthScale (app,
+                 "units per metre of depth images or clouds [1000 for 16 bit, else 1]",
+                 o.depth_scale);
+  addMaxTimeDifference (
+      app, "between colour and depth images of a recording", o.max_time_difference);
+  addText (app,
+           "--labels",
+           "FILE",
+           "16-bit label image in place of a segmentation; 65535 = none",
+           o.labels);
+  addText (
+      app, "--output", "DIR", "folder for the results, made when missing", o.output);
+  addWords<Output> (app,
+                    "--outputs",
+                    "what is written beside the report",
+                    o.outputs,
+                    {{"flow", Output::Flow},
+                     {"cloud", Output::Cloud},
+                     {"warped", Output::Warped},
+                     {"visibility", Output::Visibility},
+                     {"labels", Output::Labels},
+                     {"poses", Output::Poses},
+                     {"pictures", Output::Pictures}});
+  addNumber (
+      app, "--flow-max", "PX", "flow of full colour, 0 = automatic", o.flow_maximum)
+      ->check (atLeast (0));
+  addFlag (app, "--quiet", "print errors and warnings only", o.quiet);
+  addShard (app, o.shard);
+  addFlag (app, "--merge", "join all shards that are in --output", o.merge)
+      ->excludes (app.get_option ("--shard"));
 }
 
-/** Names parted by commas: these and no others. */
-Setter
-outputs (Outputs& wanted)
+void
+addWindowOptions (CLI::App& app, Options& o)
 {
-  return [&wanted] (const std::string& text) {
-    wanted = {false, false, false, false, false, false, false};
-    for (std::size_t begin = 0; begin <= text.size();) {
-      const std::size_t end = std::min (text.find (',', begin), text.size());
-      const std::string word = text.substr (begin, end - begin);
-      bool* const output = word == "flow"         ? &wanted.flow
-                           : word == "cloud"      ? &wanted.cloud
-                           : word == "warped"     ? &wanted.warped
-                           : word == "visibility" ? &wanted.visibility
-                           : word == "labels"     ? &wanted.labels
-                           : word == "poses"      ? &wanted.poses
-                           : word == "pictures"   ? &wanted.pictures
-                                                  : nullptr;
-      if (word == "all")
-        wanted = {};
-      else if (!output)
-        return false;
-      else
-        *output = true;
-      begin = end + 1;
-    }
-    return true;
-  };
-}
-
-OptionGroup
-inputOptions (Options& o)
-{
-  return {
-      "Input and output",
-      {{"--color", "FILE", "colour or grey image; once a frame", append (o.color)},
-       {"--depth",
-        "FILE",
-        "depth image, 16-bit PNG, .dpt, .pfm or float .tiff; once a frame",
-        append (o.depth)},
-       {"--cloud",
-        "FILE",
-        "organized .pcd in place of --color and --depth; once a frame",
-        append (o.cloud)},
-       {"--camera",
-        "FX,FY,CX,CY",
-        "pinhole camera, pixels; fitted to clouds when not given",
-        camera (o.camera)},
-       {"--depth-scale",
-        "S",
-        "units per metre of depth images or clouds [1000 for 16 bit, else 1]",
-        positive (o.depth_scale)},
-       {"--max-time-difference",
-        "S",
-        withDefault ("between colour and depth images of a recording, seconds",
-                     o.max_time_difference),
-        positive (o.max_time_difference)},
-       {"--labels",
-        "FILE",
-        "16-bit label image in place of a segmentation; 65535 = none",
-        text (o.labels)},
-       {"--output",
-        "DIR",
-        "folder for the results, made when missing",
-        text (o.output)},
-       {"--outputs",
-        "LIST",
-        "of all, flow, cloud, warped, visibility, labels, poses, pictures: what is "
-        "written beside the report [all]",
-        outputs (o.outputs)},
-       numeric (
-           "--flow-max", "PX", "flow of full colour, 0 = automatic", o.flow_maximum),
-       {"--quiet", "", "print errors and warnings only", flag (o.quiet)},
-       {"--help", "", "print this", flag (o.help)}}};
-}
-
-OptionGroup
-windowOptions (Options& o)
-{
-  return {"Windows of more than two frames",
-          {numeric ("--window",
-                    "N",
-                    "frames solved jointly; 0 = all files, 4 of a folder",
-                    o.window),
-           numeric ("--reference",
-                    "K",
-                    "frame of the window whose points are followed",
-                    o.reference),
-           {"--track",
-            "",
-            "frame by frame; a reference stays while it explains the frames",
-            flag (o.track)},
-           {"--rigid", "", "the whole scene is one rigid body", flag (o.rigid)},
-           numeric ("--concatenation-weight",
-                    "W",
-                    "lambda of Eq. 14",
-                    o.multiframe.concatenation_weight),
-           numeric ("--max-span",
-                    "N",
-                    "leave out pairs of frames farther apart, 0 = none",
-                    o.multiframe.max_span),
-           switchable ("--static-background",
-                       "the largest body is a rigid background",
-                       o.multiframe.static_background)}};
+  beginGroup (app, "Windows of more than two frames");
+  addNumber (app,
+             "--window",
+             "N",
+             "frames solved jointly; 0 = all files, 4 of a folder",
+             o.window);
+  auto* reference = addNumber (app,
+                               "--reference",
+                               "K",
+                               "frame of the window whose points are followed",
+                               o.reference)
+                        ->check (atLeast (0));
+  addFlag (app,
+           "--track",
+           "frame by frame; a reference stays while it explains the frames",
+           o.track)
+      ->excludes (reference)
+      ->excludes (app.get_option ("--labels"))
+      ->excludes (app.get_option ("--shard"));
+  addFlag (app, "--rigid", "the whole scene is one rigid body", o.rigid);
+  addNumber (app,
+             "--concatenation-weight",
+             "W",
+             "lambda of Eq. 14",
+             o.multiframe.concatenation_weight);
+  addNumber (app,
+             "--max-span",
+             "N",
+             "leave out pairs of frames farther apart, 0 = none",
+             o.multiframe.max_span);
+  addSwitch (app,
+             "--static-background",
+             "the largest body is a rigid background",
+             o.multiframe.static_background);
 }
 
 } // namespace
 
-std::vector<OptionGroup>
-makeOptionTable (Options& options)
+void
+addSceneFlowOptions (CLI::App& app, Options& options)
 {
-  std::vector<OptionGroup> table = methodOptions (options);
-  table.insert (table.begin(), inputOptions (options));
-  table.push_back (windowOptions (options));
-  return table;
+  addInputOptions (app, options);
+  addMethodOptions (app, options);
+  addWindowOptions (app, options);
 }
 
 } // namespace pcl_msf::tool

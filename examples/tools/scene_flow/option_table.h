@@ -4,12 +4,11 @@
 
 #include "options.h"
 
-#include <vector>
-
 namespace pcl_msf::tool {
 
-/** \brief All options, bound to the fields of `options`, which must outlive them. */
-std::vector<OptionGroup>
-makeOptionTable (Options& options);
+/** \brief Adds all options, bound to the fields of `options`, which must outlive the
+ * application. */
+void
+addSceneFlowOptions (CLI::App& app, Options& options);
 
 } // namespace pcl_msf::tool

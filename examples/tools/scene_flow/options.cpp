@@ -2,10 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "options.h"
 
-#include <pcl/console/print.h>
-
-#include "core/base/number_text.h"
 #include "option_table.h"
+#include <CLI/App.hpp>
 
 namespace pcl_msf::tool {
 
@@ -25,10 +23,6 @@ checkCount (const char* name, std::size_t count, std::size_t wanted)
 void
 checkFiles (const Options& options)
 {
-  const bool images = !options.color.empty() || !options.depth.empty();
-  if (images && !options.cloud.empty())
-    throw UsageError (
-        "--cloud: not together with --color or --depth; give clouds or images");
   if (options.cloud.empty()) {
     checkCount ("--depth", options.depth.size(), options.depth.size());
     if (!options.color.empty())
@@ -57,12 +51,6 @@ checkInputs (const Options& options)
   if (options.window < 0 || options.window == 1)
     throw UsageError ("--window: " + std::to_string (options.window) +
                       ", must be 0 or at least 2");
-  if (options.reference < 0)
-    throw UsageError ("--reference: " + std::to_string (options.reference) +
-                      ", must be >= 0");
-  if (options.track && (options.reference > 0 || !options.labels.empty()))
-    throw UsageError ("--track: not together with --reference or --labels; leave these "
-                      "away");
   if (options.track && options.window > 16)
     throw UsageError ("--window: " + std::to_string (options.window) +
                       ", must be at most 16 with --track");
@@ -80,53 +68,46 @@ checkParameters (const Parameters& parameters)
   throw UsageError ("--" + why);
 }
 
-} // namespace
-
-Options
-parseOptions (int argc, const char* const* argv)
+/** All that was given, but where and how the run works. */
+std::string
+settingsOf (const CLI::App& app)
 {
-  Options options;
-  const auto take_word = [&options] (const std::string& word) {
-    if (!options.sequence.empty() || word.empty())
-      throw UsageError ("'" + word + "': not an option; --help lists them");
-    options.sequence = word;
-  };
-  readCommandLine (argc, argv, makeOptionTable (options), take_word);
-  if (options.help)
-    return options;
-  checkInputs (options);
-  checkParameters (options.frame);
-  checkParameters (options.segmentation);
-  checkParameters (options.energy);
-  checkParameters (options.solver);
-  checkParameters (options.multiframe);
-  if (options.rigid)
-    options.segmentation.method = SegmentationMethod::Single;
-  if (options.flow_maximum < 0.0)
-    throw UsageError ("--flow-max: " + generalText (options.flow_maximum) +
-                      ", must be >= 0, in pixels");
-  return options;
+  std::string text;
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || name == "--output" || name == "--shard" ||
+        name == "--quiet" || name == "--threads")
+      continue;
+    text += (text.empty() ? "" : " ") + name;
+    for (const std::string& value : option->results())
+      text += " " + value;
+  }
+  return text;
 }
 
+} // namespace
+
 void
-printHelp (const char* program)
+declareOptions (CLI::App& app, Options& options)
 {
-  using namespace pcl::console;
-  print_info ("Piecewise-rigid scene flow between RGB-D frames.\n\n");
-  print_info ("Syntax: %s --color C0.png --depth D0.png --color C1.png --depth D1.png "
-              "--camera FX,FY,CX,CY --depth-scale S --output DIR\n",
-              program);
-  print_info ("    or: %s --cloud A.pcd --cloud B.pcd [--camera FX,FY,CX,CY] --output "
-              "DIR\n",
-              program);
-  print_info ("    or: %s FOLDER [--window N] [--track] [--output DIR]\n", program);
-  print_info ("Give --color, --depth or --cloud once a frame, in the order of time. "
-              "FOLDER is a recording:\ncolor_K.png, depth_K.png and camera.txt, or one "
-              "of the data sets' layouts (TUM RGB-D, ...).\n");
-  print_info ("Exit status: 0 = written and converged, 3 = written but not converged "
-              "(stderr says why), else an error.\n");
-  Options defaults;
-  printOptions (makeOptionTable (defaults));
+  addSceneFlowOptions (app, options);
+  app.final_callback ([&app, &options] {
+    if (options.merge) {
+      if (options.output.empty())
+        throw UsageError ("--merge: needs --output, the folder of the shards");
+      return;
+    }
+    options.shard_given = app.count ("--shard") > 0;
+    options.settings = settingsOf (app);
+    checkInputs (options);
+    checkParameters (options.frame);
+    checkParameters (options.segmentation);
+    checkParameters (options.energy);
+    checkParameters (options.solver);
+    checkParameters (options.multiframe);
+    if (options.rigid)
+      options.segmentation.method = SegmentationMethod::Single;
+  });
 }
 
 } // namespace pcl_msf::tool

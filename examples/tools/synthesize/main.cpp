@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 // Renders an RGB-D sequence with exact truth into a folder.
 #include "common/command_line.h"
-#include "common/default_help.h"
 #include "common/interruption.h"
 #include "common/output_folder.h"
 #include "common/stop_watch.h"
 #include "common/tool_main.h"
+#include <CLI/App.hpp>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/synthetic/sequence_writer.h>
 #include <pcl_msf/synthetic/synthetic_sequence.h>
@@ -18,6 +18,7 @@
 namespace {
 
 using namespace pcl_msf;
+using namespace pcl_msf::synthetic;
 using namespace pcl_msf::tool;
 
 constexpr const char* kProgram = "pcl_msf_synthesize";
@@ -26,65 +27,71 @@ struct SynthesizeOptions {
   std::string folder;
   SequenceOptions sequence;
   SequenceWriterOptions writing;
-  bool help{false};
 };
 
-std::vector<Option>
-optionTable (SynthesizeOptions& o)
+constexpr const char* kSummary =
+    "Renders an RGB-D sequence with exact scene flow, optical flow,\n"
+    "visibility, labels and poses.";
+
+void
+addSceneOptions (CLI::App& app, SequenceOptions& s)
 {
-  SequenceOptions& s = o.sequence;
-  std::vector<std::pair<std::string, Scene>> scenes;
-  for (const Scene scene : allScenes())
+  Words<SceneKind> scenes;
+  for (const SceneKind scene : allScenes())
     scenes.emplace_back (toString (scene), scene);
-  return {
-      oneOf<Scene> ("--scene", s.scene, scenes),
-      oneOf<MotionSize> ("--motion",
-                         s.motion,
-                         {{"easy", MotionSize::Easy}, {"large", MotionSize::Large}},
-                         ": 4 or 22 px a frame"),
-      numeric ("--motion-pixels",
-               "PX",
-               "average motion a frame at 640 px width, 0 = as --motion says",
-               s.motion_pixels),
-      oneOf<Sensor> (
-          "--sensor", s.sensor, {{"none", Sensor::Ideal}, {"kinect", Sensor::Kinect}}),
-      numeric ("--width", "PX", "", s.width),
-      numeric ("--height", "PX", "", s.height),
-      numeric ("--frames", "N", "", s.frames),
-      numeric ("--seed", "N", "places, colours, motions, noise", s.seed),
-      numeric ("--samples", "N", "colour rays per pixel and axis", s.supersampling),
-      switchable ("--blur", "motion blur", s.motion_blur),
-      numeric ("--threads", "N", "0 = all; no influence on the result", s.threads),
-      oneOf<SequenceLayout> ("--layout",
-                             o.writing.layout,
-                             {{"cases", SequenceLayout::Cases},
-                              {"tum", SequenceLayout::Tum},
-                              {"sintel", SequenceLayout::Sintel}}),
-      oneOf<DepthFormat> ("--depth",
-                          o.writing.depth_format,
-                          {{"auto", DepthFormat::Automatic},
-                           {"dpt", DepthFormat::Float},
-                           {"png", DepthFormat::Png16}},
-                          " of cases; auto is dpt without a sensor"),
-      numeric (
-          "--depth-scale", "S", "16-bit depth units per metre", o.writing.depth_scale),
-      {"--help", "", "print this", flag (o.help)}};
+  beginGroup (app, "What to render");
+  addWord<SceneKind> (app, "--scene", "what moves", s.scene, scenes);
+  addWord<MotionSize> (app,
+                       "--motion",
+                       "4 or 22 px a frame",
+                       s.motion,
+                       {{"easy", MotionSize::Easy}, {"large", MotionSize::Large}});
+  addNumber (app,
+             "--motion-pixels",
+             "PX",
+             "average motion a frame at 640 px width, 0 = as --motion says",
+             s.motion_pixels);
+  addWord<Sensor> (app,
+                   "--sensor",
+                   "whose noise",
+                   s.sensor,
+                   {{"none", Sensor::Ideal}, {"kinect", Sensor::Kinect}});
+  addNumber (app, "--width", "PX", "of an image", s.width);
+  addNumber (app, "--height", "PX", "of an image", s.height);
+  addNumber (app, "--frames", "N", "of the sequence", s.frames);
+  addNumber (app, "--seed", "N", "places, colours, motions, noise", s.seed);
+  addNumber (app, "--samples", "N", "colour rays per pixel and axis", s.supersampling);
+  addSwitch (app, "--blur", "motion blur", s.motion_blur);
+  addNumber (app, "--threads", "N", "0 = all; no influence on the result", s.threads);
 }
 
-CommandLine
-makeCommandLine (SynthesizeOptions& options)
+void
+addWritingOptions (CLI::App& app, SequenceWriterOptions& w)
 {
-  CommandLine line;
-  line.summary = "Renders an RGB-D sequence with exact scene flow, optical flow,\n"
-                 "visibility, labels and poses.";
-  line.syntax = {"pcl_msf_synthesize FOLDER [options]"};
-  line.options = optionTable (options);
-  line.take_word = [&options] (const std::string& word) {
-    if (!options.folder.empty() || word.empty())
-      throw UsageError ("'" + word + "': one folder is enough; options have --");
-    options.folder = word;
-  };
-  return line;
+  beginGroup (app, "How to write it");
+  addWord<SequenceLayout> (app,
+                           "--layout",
+                           "names and folders",
+                           w.layout,
+                           {{"cases", SequenceLayout::Cases},
+                            {"tum", SequenceLayout::Tum},
+                            {"sintel", SequenceLayout::Sintel}});
+  addWord<DepthFormat> (app,
+                        "--depth",
+                        "of cases; auto is dpt without a sensor",
+                        w.depth_format,
+                        {{"auto", DepthFormat::Automatic},
+                         {"dpt", DepthFormat::Float},
+                         {"png", DepthFormat::Png16}});
+  addNumber (app, "--depth-scale", "S", "16-bit depth units per metre", w.depth_scale);
+}
+
+void
+declareOptions (CLI::App& app, SynthesizeOptions& options)
+{
+  addText (app, "FOLDER", "PATH", "for the sequence", options.folder)->required();
+  addSceneOptions (app, options.sequence);
+  addWritingOptions (app, options.writing);
 }
 
 /** Version 0.1.0 spelled options "-motion_pixels"; both ways are understood. */
@@ -147,10 +154,9 @@ prepare (const SynthesizeOptions& options, OutputFolder& output)
 }
 
 int
-run (SynthesizeOptions options)
+run (const SynthesizeOptions& given)
 {
-  if (options.folder.empty())
-    throw UsageError ("FOLDER: missing; give one for the sequence");
+  SynthesizeOptions options = given;
   { // refused before the work
     OutputFolder output (options.folder, kProgram, groupOf (options));
     prepare (options, output);
@@ -159,7 +165,6 @@ run (SynthesizeOptions options)
   StopWatch watch;
   const SyntheticSequence sequence = synthesize (options.sequence);
   const double seconds = watch.lap();
-  noteSignals();
   OutputFolder output (options.folder, kProgram, groupOf (options));
   prepare (options, output);
   writeSequence (sequence, output.stage(), options.writing);
@@ -178,18 +183,10 @@ run (SynthesizeOptions options)
 int
 main (int argc, char** argv)
 {
-  return runTool (kProgram, [&] {
-    SynthesizeOptions options;
-    const CommandLine line = makeCommandLine (options);
-    std::vector<const char*> words;
-    const std::vector<std::string> given = withTwoDashes (argc, argv);
-    for (const std::string& word : given)
-      words.push_back (word.c_str());
-    line.read (argc, words.data());
-    if (options.help || argc < 2) {
-      line.printHelp();
-      return options.help ? 0 : 1;
-    }
-    return run (options);
-  });
+  const std::vector<std::string> words = withTwoDashes (argc, argv);
+  std::vector<const char*> pointers;
+  for (const std::string& word : words)
+    pointers.push_back (word.c_str());
+  return toolMain<SynthesizeOptions> (
+      {kProgram, kSummary, declareOptions, run}, argc, pointers.data());
 }

@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 // A live window on a scene flow: results or a sequence that is being solved.
-#include <pcl/console/print.h>
-
-#include <opencv2/core/utils/logger.hpp>
-
 #include "common/command_line.h"
 #include "common/default_estimation.h"
 #include "common/interruption.h"
-#include "common/option_values.h"
 #include "common/recordings.h"
+#include "common/result_folder.h"
 #include "common/tool_main.h"
 #include "view/window.h"
+#include <CLI/App.hpp>
 #include <pcl_msf/visualization/virtual_display.h>
 
-#include <cstdio>
-#include <exception>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -25,40 +20,40 @@ namespace {
 using namespace pcl_msf;
 using namespace pcl_msf::tool;
 
-CommandLine
-makeCommandLine (RenderOptions& options)
+struct ViewOptions {
+  std::string input;          ///< a result folder or a folder with frames
+  std::string sequence;       ///< a folder with the frames of a result folder
+  io::DatasetOptions reading; ///< of frames
+};
+
+constexpr const char* kSummary =
+    "A live window: clouds, segments, the warp and displacement arrows.\n\n"
+    "  pcl_msf_view FOLDER     frames; every one is solved to the next\n"
+    "  pcl_msf_view RESULT --sequence FOLDER    what pcl_msf_scene_flow wrote";
+
+void
+declareOptions (CLI::App& app, ViewOptions& options)
 {
-  CommandLine line;
-  line.summary = "A live window: clouds, segments, the warp and displacement arrows.";
-  line.syntax = {
-      "pcl_msf_view FOLDER     frames; every one is solved to the next",
-      "pcl_msf_view RESULT --sequence FOLDER    what pcl_msf_scene_flow wrote"};
-  line.options = {
-      {"--sequence", "FOLDER", "frames of a result folder", text (options.sequence)},
-      {"--help", "", "print this", flag (options.help)}};
-  for (const Option& option : readingOptions (options.reading))
-    line.options.insert (line.options.end() - 1, option);
-  line.take_word = [&options] (const std::string& word) {
-    if (!options.input.empty())
-      throw UsageError ("'" + word + "': one input is enough; leave it away");
-    options.input = word;
-  };
-  return line;
+  addText (app, "FOLDER", "PATH", "frames, or a result", options.input)->required();
+  addText (app, "--sequence", "FOLDER", "frames of a result folder", options.sequence);
+  addReadingOptions (app, options.reading);
+  app.footer (std::string ("Keys:\n") + ViewWindow::keys());
 }
 
 /** Every pair that pcl_msf_scene_flow wrote. */
 SequenceSolver::Maker
-resultMaker (RenderOptions options, std::vector<ResultPair> pairs)
+resultMaker (const ViewOptions& options, std::vector<ResultPair> pairs)
 {
   if (options.sequence.empty())
     throw UsageError ("--sequence: missing; a result is shown with its frames");
-  openFrames (options.sequence, options.reading); // a wrong one is told at once
-  return [options, pairs] (int pair, const std::function<bool()>&) {
-    RenderOptions one = options;
-    one.reference = pairs[pair].reference;
-    one.frame = pairs[pair].current;
-    return loadRenderInputs (one).result;
-  };
+  const auto frames = openFrames (options.sequence, options.reading);
+  return
+      [folder = options.input, frames, pairs] (int pair, const std::function<bool()>&) {
+        visualization::ResultClouds result = readResult (folder, pairs[pair]);
+        requireFrame (*frames, pairs[pair].current);
+        takeCurrent (frames->frame (pairs[pair].current), result);
+        return result;
+      };
 }
 
 /** Every frame to the next. */
@@ -66,6 +61,8 @@ SequenceSolver::Maker
 pairMaker (std::shared_ptr<const io::RgbdSequence> frames)
 {
   auto reference = std::make_shared<io::RgbdImages> (frames->frame (0));
+  if (!reference->note.empty())
+    complain ("pcl_msf_view", "warning: frame 0: " + reference->note);
   return [frames, reference] (int pair, const std::function<bool()>& go_on) {
     io::RgbdImages current = frames->frame (pair + 1);
     visualization::ResultClouds result = estimatePair (*reference, current, go_on);
@@ -75,7 +72,7 @@ pairMaker (std::shared_ptr<const io::RgbdSequence> frames)
 }
 
 std::unique_ptr<SequenceSolver>
-makeSolver (const RenderOptions& options)
+makeSolver (const ViewOptions& options)
 {
   const std::vector<ResultPair> pairs = resultPairs (options.input);
   if (!pairs.empty())
@@ -86,14 +83,13 @@ makeSolver (const RenderOptions& options)
 }
 
 int
-run (const RenderOptions& options)
+run (const ViewOptions& options)
 {
   std::shared_ptr<void> display; // is there as long as the window
   const std::string problem = visualization::displayProblem (&display);
   if (!problem.empty())
     throw UsageError (problem + "; a live window needs one; pcl_msf_render makes "
                                 "pictures without");
-  noteSignals();
   const std::unique_ptr<SequenceSolver> solver = makeSolver (options);
   ViewWindow window (*solver);
   while (!interrupted() && window.spin()) {
@@ -108,21 +104,6 @@ run (const RenderOptions& options)
 int
 main (int argc, char** argv)
 {
-  cv::utils::logging::setLogLevel (cv::utils::logging::LOG_LEVEL_SILENT);
-  pcl::console::setVerbosityLevel (pcl::console::L_ALWAYS);
-  try {
-    RenderOptions options;
-    const CommandLine line = makeCommandLine (options);
-    line.read (argc, argv);
-    if (options.help || options.input.empty()) {
-      line.printHelp();
-      std::printf ("\nKeys:\n%s", ViewWindow::keys());
-      return options.help ? 0 : 1;
-    }
-    return run (options);
-  }
-  catch (const std::exception& e) {
-    complain ("pcl_msf_view", e.what());
-    return 1;
-  }
+  return toolMain<ViewOptions> (
+      {"pcl_msf_view", kSummary, declareOptions, run}, argc, argv);
 }

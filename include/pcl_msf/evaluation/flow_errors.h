@@ -9,7 +9,7 @@
 namespace pcl_msf::evaluation {
 
 /** \brief Which points of the reference are scored; only those with depth are. */
-enum class PointSet {
+enum class ScoredPoints {
   All,
   Visible, ///< seen in both frames
   Occluded ///< hidden in the current frame, or out of its view
@@ -22,7 +22,7 @@ enum class PointSet {
  * \return CV_8UC1, 255 = scored, 0 otherwise
  * \throws InvalidInput for other types or sizes that differ */
 cv::Mat
-scoredPoints (const cv::Mat& depth, const cv::Mat& visible, PointSet set);
+scoredPoints (const cv::Mat& depth, const cv::Mat& visible, ScoredPoints set);
 
 /** \brief Errors of an optical flow over a set of points; all NaN when it is empty. */
 struct FlowErrors {

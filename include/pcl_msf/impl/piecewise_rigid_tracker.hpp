@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include <pcl/console/print.h>
-
 #include <pcl_msf/cloud_conversions.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/impl/registration_steps.h>
@@ -21,8 +19,7 @@ PiecewiseRigidTracker<PointT>::setTrackerParameters (
   if (parameters.isValid (&why))
     parameters_ = parameters;
   else
-    PCL_ERROR ("[pcl_msf::PiecewiseRigidTracker::setTrackerParameters] %s\n",
-               why.c_str());
+    printError ("setTrackerParameters", why);
 }
 
 template <typename PointT>
@@ -71,7 +68,7 @@ PiecewiseRigidTracker<PointT>::addCloud (const PointCloudConstPtr& cloud)
     return true;
   }
   catch (const std::exception& error) {
-    PCL_ERROR ("[pcl_msf::PiecewiseRigidTracker::addCloud] %s\n", error.what());
+    printError ("addCloud", error.what());
     return false;
   }
 }

@@ -8,9 +8,27 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace pcl_msf::io {
+
+/** \brief Which rendering of a data set. */
+enum class RenderPass {
+  Clean,
+  Final ///< with motion blur, haze and the like
+};
+
+/** \brief "clean", "final" */
+const char*
+toString (RenderPass pass);
+
+/** \brief Which camera of a stereo rig. */
+enum class StereoView { Left, Right };
+
+/** \brief "left", "right" */
+const char*
+toString (StereoView view);
 
 /** \brief What a data set does not say of itself, or what is to be taken instead. */
 struct DatasetOptions {
@@ -22,19 +40,19 @@ struct DatasetOptions {
    * TUM, folders and clouds only: the others define their unit and refuse it. */
   std::optional<double> depth_scale;
 
-  /** \brief Rendering: "clean" or "final"; Sintel and FlyingThings3D only. */
-  std::string pass{"clean"};
+  /** \brief Sintel and FlyingThings3D only. */
+  RenderPass pass{RenderPass::Clean};
 
-  /** \brief Which camera of a stereo rig: "left" or "right"; FlyingThings3D and
-   * Virtual KITTI 2 only, the others have no depth of the right one. */
-  std::string view{"left"};
+  /** \brief FlyingThings3D and Virtual KITTI 2 only, the others have no depth of the
+   * right one. */
+  StereoView view{StereoView::Left};
 
   /** \brief Between colour and depth, and between colour and pose; TUM, and
    * folders whose images are named by their times. Seconds, > 0. */
   double max_time_difference{0.02};
 };
 
-/** \brief The kinds of data sets that `openDataset` takes besides "auto".
+/** \brief The kinds of data sets, by their names in `datasetKinds`.
  *
  * - "cases": the project's own layout, see DataFolder; with `gt/object_poses_K.txt` the
  *   motion of each body. Truth from frame 0; poses, labels and bodies also between
@@ -72,22 +90,42 @@ struct DatasetOptions {
  * Where depths of both frames and the flow are known, but no masks, a point is
  * `visible` when its depth is within 1 % of what the second frame shows around its
  * pixel. */
-const std::vector<std::string>&
+enum class DatasetKind {
+  Automatic, ///< the only kind whose marks are there
+  Cases,
+  Tum,
+  Sintel,
+  VirtualKitti1,
+  VirtualKitti2,
+  FlyingThings,
+  Kitti2015,
+  Middlebury,
+  Folder,
+  Clouds
+};
+
+/** \brief Names of all kinds but Automatic, as command lines have them; Folder has two.
+ */
+const std::vector<std::pair<std::string, DatasetKind>>&
 datasetKinds ();
+
+/** \brief The kind of a name of `datasetKinds` or "auto". \throws InvalidInput listing
+ * all names for another one */
+DatasetKind
+datasetKindFromName (const std::string& name);
 
 /** \brief Opens all sequences below a path, sorted by name (numbers by value).
  *
- * \param kind one of `datasetKinds`, or "auto": the only kind whose marks are there
  * \param path a data set's top folder, a part of it, or a single sequence; sequences
  * are looked for up to six folders below
  * \return one sequence or more; nothing but lists and cameras has been read
  * \throws IoError when nothing of that kind is there, or its lists are damaged
- * \throws InvalidInput for an unknown kind and for options outside their ranges
+ * \throws InvalidInput for options outside their ranges
  *
  * Thread-safe, and so are the sequences; these throw InvalidInput for frames that there
  * are not. */
 std::vector<std::shared_ptr<const RgbdSequence>>
-openDataset (const std::string& kind,
+openDataset (DatasetKind kind,
              const std::string& path,
              const DatasetOptions& options = {});
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-namespace pcl_msf {
+namespace pcl_msf::synthetic {
 
 /** \brief What is generated. Numbers of bodies count those that have a label. */
-enum class Scene {
+enum class SceneKind {
   StaticRoom,    ///< a furnished room, moving camera; one body
   MultiBody,     ///< rigid bodies that move differently in the room; camera moves, too
   Articulated,   ///< a chain of six links with joints, in front of itself
@@ -43,21 +43,21 @@ enum class Sensor {
 
 /** \brief "static_room", "multi_body", ... */
 const char*
-toString (Scene scene);
+toString (SceneKind scene);
 
 /** \brief All scenes, in the order of the enumeration. */
-const std::vector<Scene>&
+const std::vector<SceneKind>&
 allScenes ();
 
 /** \brief The scene of a name as toString writes it. \throws InvalidInput listing all
  * names for another one */
-Scene
+SceneKind
 sceneFromName (const std::string& name);
 
 /** \brief What to generate. The same options give the same sequence, bit for bit, for
  * any number of threads. */
 struct SequenceOptions {
-  Scene scene{Scene::MultiBody};
+  SceneKind scene{SceneKind::MultiBody};
   MotionSize motion{MotionSize::Easy};
   Sensor sensor{Sensor::Ideal};
   int width{640};          ///< pixels, [16, 4096]
@@ -86,4 +86,4 @@ struct SequenceOptions {
   isValid (std::string* why = nullptr) const;
 };
 
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace pcl_msf {
+namespace pcl_msf::synthetic {
 
 /** \brief How a sequence lies on disk. K counts from 0, K4 from 0001.
  *
@@ -52,4 +52,4 @@ writeSequence (const SyntheticSequence& sequence,
                const std::string& folder,
                const SequenceWriterOptions& options = {});
 
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

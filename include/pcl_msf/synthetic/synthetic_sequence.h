@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace pcl_msf {
+namespace pcl_msf::synthetic {
 
 /** \brief One RGB-D image as the sensor delivers it. */
 struct SyntheticFrame {
@@ -60,4 +60,4 @@ struct SyntheticSequence {
 SyntheticSequence
 synthesize (const SequenceOptions& options);
 
-} // namespace pcl_msf
+} // namespace pcl_msf::synthetic

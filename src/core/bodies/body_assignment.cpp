@@ -50,6 +50,7 @@ private:
   WindowState& state_;
   const int segments_;
   std::vector<std::vector<int>> neighbors_;
+  std::vector<std::vector<double>> strengths_; ///< of the links to them
   int largest_{0};                   ///< body
   std::vector<char> seen_;           ///< per segment: mostly visible with its body
   std::vector<MotionState> motions_; ///< per asked pair
@@ -65,7 +66,13 @@ Assignment::Assignment (const std::vector<PairTerms>& terms,
 , state_ (state)
 , segments_ (static_cast<int> (state.body_of.size()))
 , neighbors_ (neighborLists (links, segments_))
-{}
+, strengths_ (segments_)
+{
+  for (const SegmentLink& l : links) {
+    strengths_[l.first].push_back (l.strength);
+    strengths_[l.second].push_back (l.strength);
+  }
+}
 
 std::vector<int>
 Assignment::largestBodies() const
@@ -112,15 +119,17 @@ double
 Assignment::score (int segment, int body, double limit) const
 {
   const auto& near = neighbors_[segment];
-  int others = 0;
+  double others = 0.0;
+  double all = 0.0;
   bool supported = false;
-  for (const int n : near) {
+  for (std::size_t i = 0; i < near.size(); ++i) {
+    const int n = near[i];
     const bool together = state_.body_of[n] == body;
-    others += together ? 0 : 1;
+    others += together ? 0.0 : strengths_[segment][i];
+    all += strengths_[segment][i];
     supported |= together && seen_[n];
   }
-  const double share =
-      static_cast<double> (others) / std::max<std::size_t> (1, near.size());
+  const double share = all > 0.0 ? others / all : 0.0;
   const DataTerm& sample = *asked_.front().sample;
   const DataTerm::Probe p = probe (segment, body);
   const double hidden = supported ? 0.0 : p.hidden * sample.unsupportedCost();

@@ -182,8 +182,9 @@ Energy::presentCost (const WindowState& state) const
   const double share = 0.5 / std::max<std::size_t> (1, differences.size());
   for (std::size_t i = 0; i < differences.size(); ++i) {
     const double s = state.weights[i] * state.weights[i];
-    cost.regularizer += share * parameters_.regularizer_weight * s * s * differences[i];
-    cost.prior += share * priorWeight() * (1.0 - s) * (1.0 - s);
+    const double worth = share * scene_.links[i].strength;
+    cost.regularizer += worth * parameters_.regularizer_weight * s * s * differences[i];
+    cost.prior += worth * priorWeight() * (1.0 - s) * (1.0 - s);
   }
   cost.concatenation = concatenationCost (state);
   return cost;
@@ -200,11 +201,12 @@ Energy::addCouplings (ceres::Problem& problem,
     const int h = state.body_of[scene_.links[i].second];
     if (j == h)
       continue;
+    const double worth = share * scene_.links[i].strength;
     for (const int p : scene_.used) {
       const SegmentLink& link = links_[scene_.pairs[p].from][i];
       const double prior = p == scene_.used.front() ? priorWeight() : 0.0;
-      const CouplingScale scale{std::sqrt (share * parameters_.regularizer_weight),
-                                std::sqrt (share * prior),
+      const CouplingScale scale{std::sqrt (worth * parameters_.regularizer_weight),
+                                std::sqrt (worth * prior),
                                 unit (link.midpoint.z())};
       problem.AddResidualBlock (
           new PoseCouplingCost (

@@ -17,6 +17,7 @@ struct SegmentLink {
   int second{0};
   Eigen::Vector3d midpoint; ///< between the centroids, reference frame, metres
   double lever{0.0};        ///< half the distance of the centroids, metres
+  double strength{1.0};     ///< factor on what the link costs, 1 in the mean
 };
 
 /** \brief A pose unpacked, where its rotation is needed again and again. */

@@ -22,6 +22,8 @@ constexpr double kAxesDegrees = 3.0; // an installation's tilt from exchanged ax
 constexpr double kTinyDegrees = 0.05; // and
 constexpr double kTinyPixels = 0.05;  // what float coordinates leave of no motion
 constexpr double kSameScale = 0.01;   // relative difference of focal lengths
+constexpr double kManyAlike = 0.1;    // share of the points
+constexpr double kFlat = 0.01;        // of the extent
 
 const char* const kTransformBack = "; transform the cloud back to the camera's optical "
                                    "frame first (x right, y down, z forward)";
@@ -132,6 +134,68 @@ typicalDistance (const cv::Mat& points)
   return sum / n;
 }
 
+/** The points that are not the origin; every few of them are enough. */
+std::vector<Eigen::Vector3d>
+someOf (const cv::Mat& points)
+{
+  constexpr int kSamplesPerSide = 80;
+  std::vector<Eigen::Vector3d> some;
+  for (int v = 0; v < points.rows; v += std::max (1, points.rows / kSamplesPerSide))
+    for (int u = 0; u < points.cols; u += std::max (1, points.cols / kSamplesPerSide)) {
+      const auto& p = points.at<cv::Vec3f> (v, u);
+      if (std::isfinite (p[0] + p[1] + p[2]) && p != cv::Vec3f())
+        some.emplace_back (p[0], p[1], p[2]);
+    }
+  return some;
+}
+
+/** A number that a filter writes where nothing was measured, found at many pixels;
+ * empty when there is none. */
+std::string
+markerFault (std::vector<Eigen::Vector3d> some)
+{
+  const auto before = [] (const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    return std::lexicographical_compare (
+        a.data(), a.data() + 3, b.data(), b.data() + 3);
+  };
+  std::sort (some.begin(), some.end(), before);
+  std::size_t most = 0;
+  Eigen::Vector3d marker = Eigen::Vector3d::Zero();
+  for (std::size_t begin = 0, end = 0; begin < some.size(); begin = end) {
+    while (end < some.size() && some[end] == some[begin])
+      ++end;
+    if (end - begin > most) {
+      most = end - begin;
+      marker = some[begin];
+    }
+  }
+  if (static_cast<double> (most) < kManyAlike * static_cast<double> (some.size()))
+    return {};
+  return std::to_string (100 * most / some.size()) + " % of the points are " +
+         vectorText (marker, 1000.0) +
+         ": write NaN where nothing was measured (pcl::PassThrough does, unless "
+         "setUserFilterValue says otherwise)";
+}
+
+/** Do they lie in one plane, within a hundredth of their extent? */
+bool
+areCoplanar (const std::vector<Eigen::Vector3d>& some)
+{
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : some)
+    mean += p / static_cast<double> (some.size());
+  cv::Matx33d spread = cv::Matx33d::zeros();
+  for (const Eigen::Vector3d& p : some) {
+    const Eigen::Vector3d d = p - mean;
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < 3; ++k)
+        spread (i, k) += d[i] * d[k];
+  }
+  cv::Vec3d variances; // descending
+  cv::eigen (spread, variances);
+  return variances[2] < kFlat * kFlat * variances[1];
+}
+
 /** How a frame is turned that is no exchange of axes. */
 std::string
 turnFault (const Eigen::Matrix3d& optical_from_cloud)
@@ -209,10 +273,18 @@ std::string
 causeOfMisfit (const cv::Mat& points, const PinholeCamera* camera)
 {
   const CloudPose pose = likelyPose (points);
-  if (!(pose.error <= kExplained))
+  if (!(pose.error <= kExplained)) {
+    const std::vector<Eigen::Vector3d> some = someOf (points);
+    if (std::string marker = markerFault (some); !marker.empty())
+      return marker;
+    if (areCoplanar (some))
+      return "the cloud was moved or turned, or another camera saw it: all points lie "
+             "in one plane, which does not determine how" +
+             std::string (kTransformBack);
     return "this is no pinhole image in a camera's optical frame (x right, y down, z "
            "forward), and the points don't tell why: a spinning lidar, a fisheye, an "
-           "unrectified image, a plane that was moved?";
+           "unrectified image?";
+  }
   const std::string fault = poseFault (pose, typicalDistance (points));
   if (!fault.empty())
     return fault + kTransformBack;

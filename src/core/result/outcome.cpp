@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/result/outcome.h"
 
+#include "core/base/number_text.h"
 #include "core/result/overlap.h"
 
 #include <algorithm>
@@ -16,8 +17,11 @@ constexpr double kFew = 0.02;       // share of the moved points
 constexpr double kHardlyAny = 0.15; // share of those that land on depth
 constexpr double kMostly = 0.5;     // share of the points with depth
 constexpr double kNoSurface = 0.1;  // noise as a share of the mean inverse depth
-constexpr int kContrasts = 100;     // that say something
-constexpr double kSamePlace = 0.7;  // alike; chance is a half
+constexpr int kPatches = 20;        // whose median tells something
+// Median correlation of texture, the middle between what recordings show: of one place
+// 0.67 and more, also where most things move or are followed wrongly; of different ones
+// 0.26 and less.
+constexpr double kSamePlace = 0.47;
 
 bool
 isDetermined (const SceneFlow& flow)
@@ -75,12 +79,20 @@ judgeOverlap (const Overlap& o)
             "the frames show different places: only " + percent (o.found, o.landed) +
                 " of the points that land on the other frame's depth are found there; "
                 "give frames that overlap, or a guess"};
-  if (o.contrasts >= kContrasts && o.alike < kSamePlace * o.contrasts)
-    return {StopReason::DifferentPlaces,
-            "the frames show different places: only " + percent (o.alike, o.contrasts) +
-                " of the texture fits, and half of it does by chance; give frames that "
-                "overlap, or a guess"};
   return {};
+}
+
+Judgement
+judgeTexture (const Likeness& texture)
+{
+  if (texture.patches < kPatches || texture.median >= kSamePlace)
+    return {};
+  return {StopReason::DifferentPlaces,
+          "the frames show different places: the texture found correlates with the "
+          "reference's by only " +
+              fixedText (texture.median, 2) + " (median; the same place by " +
+              fixedText (kSamePlace, 2) +
+              " or more); give frames that overlap, or a guess"};
 }
 
 } // namespace
@@ -105,8 +117,11 @@ judgeMotion (const RgbdFrame& reference,
                           "show nothing in common"};
   Judgement judgement = nothing;
   if (isDetermined (flow)) {
-    const Overlap overlap = measureOverlap (reference, current, intensity_noise, flow);
+    const Overlap overlap = measureOverlap (current, flow);
     judgement = judgeOverlap (overlap);
+    if (judgement.objection == StopReason::NotRun)
+      judgement =
+          judgeTexture (compareTexture (reference, current, intensity_noise, flow));
     if (judgement.objection == StopReason::NotRun &&
         (isNoise (reference) || isNoise (current)))
       judgement = {StopReason::DifferentPlaces,

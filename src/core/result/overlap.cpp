@@ -2,36 +2,33 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/result/overlap.h"
 
-#include <opencv2/imgproc.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
 namespace pcl_msf {
 
 namespace {
 
-constexpr int kAround = 9;           // pixels, side of the surroundings
-constexpr float kSignificant = 3.0f; // standard deviations of the noise
+constexpr int kPatch = 9;            // pixels, side
+constexpr int kEnough = 60;          // of its 81 pixels
+constexpr double kSignificant = 3.0; // standard deviations of the noise
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
-/** Intensity against the mean around it; empty without intensity. */
-cv::Mat
-contrastOf (const RgbdFrame& frame)
+bool
+isKnown (const cv::Vec2f& way)
 {
-  const cv::Mat& intensity = frame.levels()[0].intensity;
-  cv::Mat contrast;
-  if (intensity.empty())
-    return contrast;
-  cv::blur (intensity, contrast, {kAround, kAround});
-  contrast = intensity - contrast;
-  return contrast;
+  return std::isfinite (way[0]) && std::isfinite (way[1]);
 }
 
+/** Between pixels; NaN outside. */
 float
 bilinear (const cv::Mat& image, float x, float y)
 {
-  x = std::clamp (x, 0.0f, static_cast<float> (image.cols - 1));
-  y = std::clamp (y, 0.0f, static_cast<float> (image.rows - 1));
+  if (!(x >= 0.0f && y >= 0.0f && x <= static_cast<float> (image.cols - 1) &&
+        y <= static_cast<float> (image.rows - 1)))
+    return kNone;
   const int x0 = std::min (static_cast<int> (x), image.cols - 2);
   const int y0 = std::min (static_cast<int> (y), image.rows - 2);
   const float a = x - static_cast<float> (x0);
@@ -42,54 +39,109 @@ bilinear (const cv::Mat& image, float x, float y)
          b * ((1.0f - a) * low[0] + a * low[1]);
 }
 
-/** Counts a visible point whose contrast says something. */
-void
-compareContrast (float before, float after, float least, Overlap& overlap)
+/** A visible point's intensity in the other frame; NaN for all others. */
+float
+found (const cv::Mat& intensity, const SceneFlow& flow, int u, int v)
 {
-  const float smaller = std::min (std::abs (before), std::abs (after));
-  const float larger = std::max (std::abs (before), std::abs (after));
-  if (!(smaller > least) && !(larger > 2.0f * least))
-    return;
-  ++overlap.contrasts;
-  overlap.alike += before * after > 0.0f ? 1 : 0;
+  const cv::Vec2f& way = flow.flow.at<cv::Vec2f> (v, u);
+  if (flow.visibility.at<unsigned char> (v, u) != Visible || !isKnown (way))
+    return kNone;
+  return bilinear (
+      intensity, static_cast<float> (u) + way[0], static_cast<float> (v) + way[1]);
+}
+
+/** Sums over the pixels of a patch that are seen in both frames. */
+struct PatchSums {
+  int n{0};
+  double x{0}, y{0}, xx{0}, yy{0}, xy{0};
+
+  void
+  add (double a, double b)
+  {
+    ++n;
+    x += a;
+    y += b;
+    xx += a * a;
+    yy += b * b;
+    xy += a * b;
+  }
+  /** Mean product of the differences to the means. */
+  double
+  moment (double sum, double first, double second) const
+  {
+    return sum / n - first / n * (second / n);
+  }
+};
+
+/** NaN when too little is seen, or stands out of the noise in neither frame. */
+double
+correlation (const PatchSums& sums, double noise)
+{
+  if (sums.n < kEnough)
+    return kNone;
+  const double before = sums.moment (sums.xx, sums.x, sums.x);
+  const double after = sums.moment (sums.yy, sums.y, sums.y);
+  const double least = kSignificant * noise * (kSignificant * noise);
+  if (!(std::max (before, after) > least))
+    return kNone;
+  // Where one is flat, nothing of the other is found.
+  const double both = std::sqrt (std::max (before, 0.0) * std::max (after, 0.0));
+  return both > 0.0 ? sums.moment (sums.xy, sums.x, sums.y) / both : 0.0;
 }
 
 } // namespace
 
 Overlap
-measureOverlap (const RgbdFrame& reference,
-                const RgbdFrame& current,
-                double intensity_noise,
-                const SceneFlow& flow)
+measureOverlap (const RgbdFrame& current, const SceneFlow& flow)
 {
-  const cv::Mat before = contrastOf (reference);
-  const cv::Mat after = contrastOf (current);
   const cv::Mat& depth = current.levels()[0].inverse_depth;
-  const auto least = kSignificant * static_cast<float> (intensity_noise);
   Overlap overlap;
   for (int v = 0; v < flow.flow.rows; ++v)
     for (int u = 0; u < flow.flow.cols; ++u) {
       const auto seen = flow.visibility.at<unsigned char> (v, u);
       const cv::Vec2f& way = flow.flow.at<cv::Vec2f> (v, u);
       overlap.points += seen != NoDepth ? 1 : 0;
-      if (!std::isfinite (way[0]) || !std::isfinite (way[1]))
+      if (!isKnown (way))
         continue;
       ++overlap.moved;
       if (seen == OutOfView)
         continue;
-      const float x = static_cast<float> (u) + way[0];
-      const float y = static_cast<float> (v) + way[1];
-      const int column = std::clamp (cvRound (x), 0, depth.cols - 1);
-      const int row = std::clamp (cvRound (y), 0, depth.rows - 1);
+      const int column =
+          std::clamp (cvRound (static_cast<float> (u) + way[0]), 0, depth.cols - 1);
+      const int row =
+          std::clamp (cvRound (static_cast<float> (v) + way[1]), 0, depth.rows - 1);
       overlap.landed += depth.at<float> (row, column) > 0.0f ? 1 : 0;
-      if (seen != Visible)
-        continue;
-      ++overlap.found;
-      if (!before.empty() && !after.empty())
-        compareContrast (
-            before.at<float> (v, u), bilinear (after, x, y), least, overlap);
+      overlap.found += seen == Visible ? 1 : 0;
     }
   return overlap;
+}
+
+Likeness
+compareTexture (const RgbdFrame& reference,
+                const RgbdFrame& current,
+                double intensity_noise,
+                const SceneFlow& flow)
+{
+  const cv::Mat& before = reference.levels()[0].intensity;
+  const cv::Mat& after = current.levels()[0].intensity;
+  if (before.empty() || after.empty())
+    return {};
+  std::vector<double> values;
+  for (int top = 0; top + kPatch <= before.rows; top += kPatch)
+    for (int left = 0; left + kPatch <= before.cols; left += kPatch) {
+      PatchSums sums;
+      for (int v = top; v < top + kPatch; ++v)
+        for (int u = left; u < left + kPatch; ++u)
+          if (const float other = found (after, flow, u, v); !std::isnan (other))
+            sums.add (before.at<float> (v, u), other);
+      if (const double c = correlation (sums, intensity_noise); !std::isnan (c))
+        values.push_back (c);
+    }
+  if (values.empty())
+    return {};
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t> (values.size() / 2);
+  std::nth_element (values.begin(), middle, values.end());
+  return {static_cast<int> (values.size()), *middle};
 }
 
 } // namespace pcl_msf

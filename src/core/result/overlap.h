@@ -9,21 +9,34 @@ namespace pcl_msf {
 
 /** \brief How much of the reference another frame shows, counted in points. */
 struct Overlap {
-  int points{0};    ///< with depth
-  int moved{0};     ///< of those, whose motion is known
-  int landed{0};    ///< of those, in view and where the frame has depth
-  int found{0};     ///< of those, visible
-  int contrasts{0}; ///< of those, with contrast beyond the noise in both frames, or far
-                    ///< beyond it in one
-  int alike{0};     ///< of those, brighter or darker than around them in both
+  int points{0}; ///< with depth
+  int moved{0};  ///< of those, whose motion is known
+  int landed{0}; ///< of those, in view and where the frame has depth
+  int found{0};  ///< of those, visible
 };
 
-/** \brief Counts. Contrast is the difference to the mean of a few pixels around, which
- * exposure does not change; half of all contrasts are alike by chance.
- * \param flow with flow and visibility
- * \param intensity_noise standard deviation */
+/** \brief Counts. \param flow with flow and visibility */
 Overlap
-measureOverlap (const RgbdFrame& reference,
+measureOverlap (const RgbdFrame& current, const SceneFlow& flow);
+
+/** \brief How alike the texture of visible points is in both frames. */
+struct Likeness {
+  int patches{0};     ///< small squares whose texture stands out of the noise
+  double median{0.0}; ///< of their normalized cross-correlations; 1: the same but for
+                      ///< gain and offset, 0: nothing in common
+};
+
+/** \brief Compares the reference's patches with what is found where they move to.
+ *
+ * Outlines and shades of a patch's own size say little: what stands before something
+ * darker in both frames looks alike in unrelated ones, too. Fine texture does not agree
+ * by chance, and the median over all patches is not moved by things that went away, or
+ * whose motion is wrong, as long as most of the texture is followed.
+ * \param flow with flow and visibility
+ * \param intensity_noise standard deviation
+ * \return no patches without intensity */
+Likeness
+compareTexture (const RgbdFrame& reference,
                 const RgbdFrame& current,
                 double intensity_noise,
                 const SceneFlow& flow);

@@ -3,6 +3,7 @@
 #include "core/start/pair_start.h"
 
 #include "core/segments/segment_graph.h"
+#include "core/segments/surface_links.h"
 #include "core/start/pose_proposals.h"
 
 #include <algorithm>
@@ -37,6 +38,7 @@ PairStart::run (const cv::Mat& labels,
   SegmentPixels points =
       probePoints (reference, labels, scene_.segments, pointOptions (scene_, at));
   scene_.links = linkNearestCentroids (points.centroid, energy_.neighbors);
+  weighLinksBySurface (labels, reference, reference_.inverseDepthNoise(), scene_.links);
   std::vector<char> wanted (scene_.segments, 1);
   const auto lift = [&] (const CoarseFlow& flow) {
     return hypothesesFromFlow (

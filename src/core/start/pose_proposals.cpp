@@ -12,6 +12,7 @@ namespace pcl_msf {
 namespace {
 
 constexpr double kOwnWay = 0.05;      // mean cost that a motion of one's own must save
+constexpr double kRough = 0.2;        // of what links cost, as poses are rough yet
 constexpr double kMostlyHidden = 0.5; // share of residuals
 constexpr double kClearlyBetter = 0.995; // a change must lower the cost by this factor
 
@@ -60,7 +61,7 @@ PoseProposals::cost (int segment, const RigidPose& pose) const
   double support = 0.0; // the strongest connection to a neighbour that is seen
   for (const Neighbor& n : neighbors_[segment]) {
     const double m = misfit (n.link, own, present_[n.segment]);
-    sum += 0.5 * m * eta / ((m + eta) * links_.size());
+    sum += 0.5 * kRough * m * eta / ((m + eta) * links_.size());
     if (seen_[n.segment])
       support = std::max (support, eta / (m + eta));
   }

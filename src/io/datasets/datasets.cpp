@@ -6,6 +6,7 @@
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/datasets.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <exception>
@@ -27,31 +28,52 @@ enum class DepthUnit { Asked, Known };
 
 struct Kind {
   const char* name;
+  DatasetKind kind;
   Sequences (*open) (const std::string& path, const DatasetOptions& options);
   Guess guess;
   DepthUnit depth_unit;
 };
 
 constexpr std::array kKinds{
-    Kind{"cases", openCases, Guess::First, DepthUnit::Asked},
-    Kind{"tum", openTum, Guess::First, DepthUnit::Asked},
-    Kind{"sintel", openSintel, Guess::First, DepthUnit::Known},
-    Kind{"vkitti1", openVirtualKitti1, Guess::First, DepthUnit::Known},
-    Kind{"vkitti2", openVirtualKitti2, Guess::First, DepthUnit::Known},
-    Kind{"flyingthings", openFlyingThings, Guess::First, DepthUnit::Known},
-    Kind{"kitti2015", openKitti2015, Guess::First, DepthUnit::Known},
-    Kind{"middlebury", openMiddlebury, Guess::First, DepthUnit::Known},
-    Kind{"folder", openFolder, Guess::Last, DepthUnit::Asked},
-    Kind{"bonn", openFolder, Guess::Never, DepthUnit::Asked},
-    Kind{"pcd", openClouds, Guess::Last, DepthUnit::Asked},
+    Kind{"cases", DatasetKind::Cases, openCases, Guess::First, DepthUnit::Asked},
+    Kind{"tum", DatasetKind::Tum, openTum, Guess::First, DepthUnit::Asked},
+    Kind{"sintel", DatasetKind::Sintel, openSintel, Guess::First, DepthUnit::Known},
+    Kind{"vkitti1",
+         DatasetKind::VirtualKitti1,
+         openVirtualKitti1,
+         Guess::First,
+         DepthUnit::Known},
+    Kind{"vkitti2",
+         DatasetKind::VirtualKitti2,
+         openVirtualKitti2,
+         Guess::First,
+         DepthUnit::Known},
+    Kind{"flyingthings",
+         DatasetKind::FlyingThings,
+         openFlyingThings,
+         Guess::First,
+         DepthUnit::Known},
+    Kind{"kitti2015",
+         DatasetKind::Kitti2015,
+         openKitti2015,
+         Guess::First,
+         DepthUnit::Known},
+    Kind{"middlebury",
+         DatasetKind::Middlebury,
+         openMiddlebury,
+         Guess::First,
+         DepthUnit::Known},
+    Kind{"folder", DatasetKind::Folder, openFolder, Guess::Last, DepthUnit::Asked},
+    Kind{"bonn", DatasetKind::Folder, openFolder, Guess::Never, DepthUnit::Asked},
+    Kind{"pcd", DatasetKind::Clouds, openClouds, Guess::Last, DepthUnit::Asked},
 };
 
 std::string
 allNames ()
 {
   std::string names;
-  for (const std::string& name : datasetKinds())
-    names += name + ", ";
+  for (const auto& known : datasetKinds())
+    names += known.first + ", ";
   return names + "auto";
 }
 
@@ -62,10 +84,6 @@ checkOptions (const DatasetOptions& options)
       !(*options.depth_scale > 0.0 && std::isfinite (*options.depth_scale)))
     throw InvalidInput ("depth_scale: " + generalText (*options.depth_scale) +
                         ", must be > 0; give units per metre, for example 1000");
-  if (options.pass != "clean" && options.pass != "final")
-    throw InvalidInput ("pass: '" + options.pass + "'; choose clean or final");
-  if (options.view != "left" && options.view != "right")
-    throw InvalidInput ("view: '" + options.view + "'; choose left or right");
   if (!(options.max_time_difference > 0.0))
     throw InvalidInput (
         "max_time_difference: " + generalText (options.max_time_difference) +
@@ -134,41 +152,62 @@ openAny (const std::string& path, const DatasetOptions& options)
 
 } // namespace
 
-const std::vector<std::string>&
+const char*
+toString (RenderPass pass)
+{
+  return pass == RenderPass::Clean ? "clean" : "final";
+}
+
+const char*
+toString (StereoView view)
+{
+  return view == StereoView::Left ? "left" : "right";
+}
+
+const std::vector<std::pair<std::string, DatasetKind>>&
 datasetKinds ()
 {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> result;
+  static const auto names = [] {
+    std::vector<std::pair<std::string, DatasetKind>> result;
     for (const Kind& kind : kKinds)
-      result.emplace_back (kind.name);
+      result.emplace_back (kind.name, kind.kind);
     return result;
   }();
   return names;
 }
 
+DatasetKind
+datasetKindFromName (const std::string& name)
+{
+  if (name == "auto")
+    return DatasetKind::Automatic;
+  for (const auto& [known, kind] : datasetKinds())
+    if (known == name)
+      return kind;
+  throw InvalidInput ("data set kind: '" + name + "'; choose one of " + allNames());
+}
+
 Sequences
-openDataset (const std::string& kind,
+openDataset (DatasetKind kind,
              const std::string& given_path,
              const DatasetOptions& options)
 {
   checkOptions (options);
-  const Kind* chosen = nullptr;
-  for (const Kind& known : kKinds)
-    if (kind == known.name)
-      chosen = &known;
-  if (!chosen && kind != "auto")
-    throw InvalidInput ("data set kind: '" + kind + "'; choose one of " + allNames());
   if (!isFolder (given_path))
     throw IoError (given_path + ": path: no such folder; check the path");
   // Some kinds are known by the names of folders above.
   const std::string path =
       std::filesystem::absolute (given_path).lexically_normal().string();
-  if (!chosen)
+  const auto* chosen =
+      std::find_if (kKinds.begin(), kKinds.end(), [kind] (const Kind& known) {
+        return known.kind == kind;
+      });
+  if (chosen == kKinds.end())
     return openAny (path, options);
   checkDepthScale (*chosen, options);
   Sequences sequences = chosen->open (path, options);
   if (sequences.empty())
-    throw IoError (path + ": sequences: no data set of the kind '" + kind +
+    throw IoError (path + ": sequences: no data set of the kind '" + chosen->name +
                    "' is below this folder; check path and kind");
   return sequences;
 }

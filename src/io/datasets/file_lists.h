@@ -9,7 +9,7 @@
 namespace pcl_msf::io {
 
 /** \brief Of colour images, in small letters with the dot; the first of them counts. */
-const std::vector<std::string> kColorExtensions{
+inline const std::vector<std::string> kColorExtensions{
     ".png", ".jpg", ".jpeg", ".ppm", ".pgm", ".bmp", ".tiff", ".tif", ".webp"};
 
 /** \brief Order of names in which runs of digits count by their value: a2 < a10. */

@@ -110,15 +110,15 @@ Sequences
 openFlyingThings (const std::string& path, const DatasetOptions& options)
 {
   const auto isSequence = [&options] (const std::string& folder) {
-    return lastName (folder) == options.view &&
-           findFlyingThings (folder, options.pass).has_value();
+    return lastName (folder) == toString (options.view) &&
+           findFlyingThings (folder, toString (options.pass)).has_value();
   };
   Sequences sequences;
   for (const std::string& folder : foldersWhere (path, isSequence)) {
     const std::vector<std::string> images = filesIn (folder, {".png", ".webp"});
     if (!images.empty())
-      sequences.push_back (
-          openOne (*findFlyingThings (folder, options.pass), images, options));
+      sequences.push_back (openOne (
+          *findFlyingThings (folder, toString (options.pass)), images, options));
   }
   return sequences;
 }

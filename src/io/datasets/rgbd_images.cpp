@@ -10,19 +10,14 @@ namespace pcl_msf::io {
 double
 colorUnit (const std::vector<const RgbdImages*>& frames)
 {
-  std::vector<cv::Mat> raw;
+  std::vector<cv::Mat> raw; // all channels as one image
   for (const RgbdImages* frame : frames)
     if (!frame->raw_color.empty())
-      raw.push_back (frame->raw_color.clone().reshape (1));
-  if (raw.empty())
-    return 1.0;
-  // One factor serves all images, so that what becomes of 1 tells it.
-  raw.emplace_back (1, 1, CV_32FC1, cv::Scalar (1.0));
+      raw.push_back (frame->raw_color.reshape (1));
   std::vector<cv::Mat*> images;
   for (cv::Mat& image : raw)
     images.push_back (&image);
-  normalizeIntensity (images);
-  return 1.0 / raw.back().at<float> (0, 0);
+  return intensityUnit (images);
 }
 
 void

@@ -96,7 +96,7 @@ Sequences
 openSintel (const std::string& path, const DatasetOptions& options)
 {
   // A path into one of the renderings chooses that one.
-  std::string pass = options.pass;
+  std::string pass = toString (options.pass);
   for (const std::string& folder : {path, parentFolder (path)})
     if (lastName (folder) == "clean" || lastName (folder) == "final")
       pass = lastName (folder);

@@ -176,7 +176,7 @@ openOne (const Place& place, const DatasetOptions& options)
 Sequences
 openVirtualKitti2 (const std::string& path, const DatasetOptions& options)
 {
-  const std::string camera = options.view == "left" ? "Camera_0" : "Camera_1";
+  const std::string camera = options.view == StereoView::Left ? "Camera_0" : "Camera_1";
   const auto isSequence = [&camera] (const std::string& folder) {
     return lastName (parentFolder (folder)).rfind ("Scene", 0) == 0 &&
            isFolder (inside (folder, "frames/rgb/" + camera));

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <opencv2/video/tracking.hpp>
+
 #include "io/formats/tagged_floats.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/float_files.h>
@@ -36,7 +38,10 @@ replaceUnknown (cv::Mat& flow, float value)
 cv::Mat
 readFlow (const std::string& path)
 {
-  cv::Mat flow = readTaggedFloats (path, 2);
+  checkTaggedFloats (path, 2);
+  cv::Mat flow = cv::readOpticalFlow (path);
+  if (flow.empty())
+    throw IoError (path + ": OpenCV cannot read it");
   replaceUnknown (flow, std::numeric_limits<float>::quiet_NaN());
   return flow;
 }

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "core/base/number_text.h"
-#include "io/base/json_text.h"
+#include "io/base/json.h"
 #include <pcl_msf/io/pose_files.h>
 #include <pcl_msf/io/text_files.h>
 
@@ -55,49 +55,29 @@ yamlOf (const MultiframeSceneFlow& result, const Indices& index)
   return text;
 }
 
-void
-addPose (JsonText& json, const std::string& key, const RigidPose& pose)
-{
-  json.openArray (key);
-  for (const double parameter : pose.parameters)
-    json.number ("", parameter);
-  json.closeArray();
-}
-
 std::string
 jsonOf (const MultiframeSceneFlow& result, const Indices& index)
 {
-  JsonText json;
-  json.openObject();
-  json.integer ("reference", index.of (result.reference));
-  json.openArray ("frames");
-  for (std::size_t f = 0; f < result.frames.size(); ++f)
-    json.integer ("", index.of (f));
-  json.closeArray();
-  json.openArray ("dominant");
+  Json json{{"reference", index.of (result.reference)},
+            {"frames", Json::array()},
+            {"dominant", Json::array()},
+            {"pairs", Json::array()}};
   for (std::size_t f = 0; f < result.frames.size(); ++f) {
-    if (static_cast<int> (f) == result.reference)
-      continue;
-    json.openObject();
-    json.integer ("to", index.of (f));
-    addPose (json, "pose", result.frames[f].dominant_motion);
-    json.closeObject();
+    json["frames"].push_back (index.of (f));
+    if (static_cast<int> (f) != result.reference)
+      json["dominant"].push_back (
+          {{"to", index.of (f)},
+           {"pose", result.frames[f].dominant_motion.parameters}});
   }
-  json.closeArray();
-  json.openArray ("pairs");
   for (const PairMotion& pair : result.motions) {
-    json.openObject();
-    json.integer ("from", index.of (pair.from));
-    json.integer ("to", index.of (pair.to));
-    json.openArray ("segments");
+    Json segments = Json::array();
     for (const RigidPose& pose : pair.segments)
-      addPose (json, "", pose);
-    json.closeArray();
-    json.closeObject();
+      segments.push_back (pose.parameters);
+    json["pairs"].push_back ({{"from", index.of (pair.from)},
+                              {"to", index.of (pair.to)},
+                              {"segments", segments}});
   }
-  json.closeArray();
-  json.closeObject();
-  return json.text();
+  return jsonText (json);
 }
 
 } // namespace

@@ -15,22 +15,42 @@
 
 namespace pcl_msf::io {
 
-cv::Mat
-readTaggedFloats (const std::string& path, int channels)
+namespace {
+
+/** The file after its head, which fits the file. */
+InputFile
+openTaggedFloats (const std::string& path, int channels, cv::Size& size)
 {
   InputFile file (path);
   if (file.value<float> ("magic number") != kFloatTag)
     file.fail ("magic number", "not 202021.25; the file is of another format");
-  const auto width = file.value<std::int32_t> ("width");
-  const auto height = file.value<std::int32_t> ("height");
-  checkImageSize (path, width, height);
-  const std::uint64_t bytes = std::uint64_t{4} * width * height * channels;
+  size.width = file.value<std::int32_t> ("width");
+  size.height = file.value<std::int32_t> ("height");
+  checkImageSize (path, size.width, size.height);
+  const std::uint64_t bytes = std::uint64_t{4} * size.width * size.height * channels;
   if (file.remaining() != bytes)
     file.fail ("pixels",
                std::to_string (file.remaining()) + " bytes where " +
                    std::to_string (bytes) + " belong; the file is damaged");
-  cv::Mat image (height, width, CV_32FC (channels));
-  file.read (image.data, bytes, "pixels");
+  return file;
+}
+
+} // namespace
+
+void
+checkTaggedFloats (const std::string& path, int channels)
+{
+  cv::Size size;
+  openTaggedFloats (path, channels, size);
+}
+
+cv::Mat
+readTaggedFloats (const std::string& path, int channels)
+{
+  cv::Size size;
+  InputFile file = openTaggedFloats (path, channels, size);
+  cv::Mat image (size, CV_32FC (channels));
+  file.read (image.data, file.remaining(), "pixels");
   return image;
 }
 

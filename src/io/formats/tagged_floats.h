@@ -16,6 +16,10 @@ constexpr float kFloatTag = 202021.25F;
 cv::Mat
 readTaggedFloats (const std::string& path, int channels);
 
+/** \brief Throws what readTaggedFloats would, without reading the pixels. */
+void
+checkTaggedFloats (const std::string& path, int channels);
+
 /** \brief Writes that layout. \throws IoError */
 void
 writeTaggedFloats (const std::string& path, const cv::Mat& image);

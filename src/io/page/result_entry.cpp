@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/base/number_text.h"
-#include "io/base/classic_locale.h"
 #include "io/base/figure_parts.h"
+#include "io/base/json.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/html_report.h>
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <regex>
 #include <set>
@@ -184,38 +185,37 @@ addRenders (const Pictures& pictures, HtmlEntry& entry)
       entry.pictures.push_back ({path, kind.caption});
 }
 
-std::string
-textOf (const cv::FileNode& node)
-{
-  if (node.isString())
-    return node.string();
-  return node.isInt() || node.isReal() ? shortNumber (node.real()) : std::string();
-}
-
 /** Numbers worth a table, as far as the report has them. */
 std::vector<std::pair<std::string, std::string>>
-numbersOf (const cv::FileStorage& report)
+numbersOf (const Json& report)
 {
+  constexpr std::pair<const char*, const char*> kShown[] = {
+      {"frames", "/frames"},
+      {"width", "/width"},
+      {"height", "/height"},
+      {"segments", "/segments"},
+      {"motion groups", "/bodies"},
+      {"iterations", "/iterations"},
+      {"converged", "/converged"},
+      {"stop reason", "/stop_reason"},
+      {"message", "/message"},
+      {"seconds", "/seconds/total"},
+      {"cost before", "/cost/initial"},
+      {"cost after", "/cost/final"}};
   std::vector<std::pair<std::string, std::string>> numbers;
-  const auto add = [&numbers] (const char* name, const cv::FileNode& node) {
-    const std::string text = textOf (node);
+  for (const auto& [name, place] : kShown) {
+    const Json::json_pointer pointer (place);
+    const Json value = report.contains (pointer) ? report.at (pointer) : Json();
+    std::string text;
+    if (value.is_boolean())
+      text = value.get<bool>() ? "yes" : "no";
+    else if (value.is_number())
+      text = shortNumber (value.get<double>());
+    else if (value.is_string())
+      text = value.get<std::string>();
     if (!text.empty())
       numbers.emplace_back (name, text);
-  };
-  add ("frames", report["frames"]);
-  add ("width", report["width"]);
-  add ("height", report["height"]);
-  add ("segments", report["segments"]);
-  add ("motion groups", report["bodies"]);
-  add ("iterations", report["iterations"]);
-  const cv::FileNode converged = report["converged"];
-  if (!converged.empty())
-    numbers.emplace_back ("converged", converged.real() != 0.0 ? "yes" : "no");
-  add ("stop reason", report["stop_reason"]);
-  add ("message", report["message"]);
-  add ("seconds", report["seconds"]["total"]);
-  add ("cost before", report["cost"]["initial"]);
-  add ("cost after", report["cost"]["final"]);
+  }
   return numbers;
 }
 
@@ -225,18 +225,13 @@ readNumbers (const std::string& path)
   if (!fs::is_regular_file (path))
     throw IoError (path + ": report: there is none; give a folder of "
                           "pcl_msf_scene_flow");
-  try {
-    const ClassicLocale classic; // OpenCV reads numbers by strtod
-    const cv::FileStorage report (path,
-                                  cv::FileStorage::READ | cv::FileStorage::FORMAT_JSON);
-    if (report.isOpened())
-      return numbersOf (report);
-  }
-  catch (const cv::Exception&) {
-    throw IoError (path + ": report: it is no JSON; the file is damaged");
-  }
-  throw IoError (path + ": report: OpenCV cannot open it; check its "
-                        "permissions");
+  std::ifstream stream (path, std::ios::binary);
+  if (!stream)
+    throw IoError (path + ": report: cannot be opened; check its permissions");
+  const Json report = Json::parse (stream, nullptr, false);
+  if (!report.is_object())
+    throw IoError (path + ": report: it is no JSON object; the file is damaged");
+  return numbersOf (report);
 }
 
 } // namespace

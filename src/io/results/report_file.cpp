@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "io/base/json_text.h"
+#include "io/base/json.h"
 #include "io/base/output_file.h"
 #include <pcl_msf/io/result_files.h>
 
@@ -11,77 +11,63 @@ namespace pcl_msf::io {
 
 namespace {
 
-void
-addSeconds (JsonText& json, const Report& report, const RunSeconds& seconds)
+Json
+secondsOf (const Report& report, const RunSeconds& seconds)
 {
-  json.openObject ("seconds");
-  json.number ("total", seconds.total);
-  json.number ("load", seconds.load);
-  json.number ("frame", seconds.frame);
-  json.number ("segment", seconds.segment);
-  json.number ("start", report.start_seconds);
-  json.number ("solve", report.solve_seconds);
-  json.number ("result", report.result_seconds);
-  json.number ("write", seconds.write);
-  json.closeObject();
+  return {{"total", seconds.total},
+          {"load", seconds.load},
+          {"frame", seconds.frame},
+          {"segment", seconds.segment},
+          {"start", report.start_seconds},
+          {"solve", report.solve_seconds},
+          {"result", report.result_seconds},
+          {"write", seconds.write}};
 }
 
-void
-addTerm (JsonText& json, const char* name, double initial, double final)
+Json
+changeOf (double initial, double final)
 {
-  json.openObject (name);
-  json.number ("initial", initial);
-  json.number ("final", final);
-  json.closeObject();
+  return {{"initial", initial}, {"final", final}};
 }
 
-void
-addCost (JsonText& json, const EnergyCost& initial, const EnergyCost& final)
+Json
+costOf (const EnergyCost& initial, const EnergyCost& final)
 {
-  json.openObject ("cost");
-  json.number ("initial", initial.total());
-  json.number ("final", final.total());
-  json.openObject ("per_term");
-  addTerm (json, "brightness", initial.brightness, final.brightness);
-  addTerm (json, "icp", initial.icp, final.icp);
-  addTerm (json, "regularizer", initial.regularizer, final.regularizer);
-  addTerm (json, "prior", initial.prior, final.prior);
-  addTerm (json, "concatenation", initial.concatenation, final.concatenation);
-  json.closeObject();
-  json.closeObject();
+  Json cost = changeOf (initial.total(), final.total());
+  cost["per_term"] = {
+      {"brightness", changeOf (initial.brightness, final.brightness)},
+      {"icp", changeOf (initial.icp, final.icp)},
+      {"regularizer", changeOf (initial.regularizer, final.regularizer)},
+      {"prior", changeOf (initial.prior, final.prior)},
+      {"concatenation", changeOf (initial.concatenation, final.concatenation)}};
+  return cost;
 }
 
-void
-addHistory (JsonText& json, const std::vector<IterationRecord>& history)
+Json
+historyOf (const std::vector<IterationRecord>& records)
 {
-  json.openArray ("history");
-  for (const IterationRecord& record : history) {
-    json.openObject();
-    json.integer ("level", record.level);
-    json.integer ("energy", record.energy);
-    json.number ("cost", record.cost);
-    json.number ("brightness", record.terms.brightness);
-    json.number ("icp", record.terms.icp);
-    json.number ("regularizer", record.terms.regularizer);
-    json.number ("prior", record.terms.prior);
-    json.number ("concatenation", record.terms.concatenation);
-    json.number ("seconds", record.seconds);
-    json.closeObject();
-  }
-  json.closeArray();
+  Json history = Json::array();
+  for (const IterationRecord& record : records)
+    history.push_back ({{"level", record.level},
+                        {"energy", record.energy},
+                        {"cost", record.cost},
+                        {"brightness", record.terms.brightness},
+                        {"icp", record.terms.icp},
+                        {"regularizer", record.terms.regularizer},
+                        {"prior", record.terms.prior},
+                        {"concatenation", record.terms.concatenation},
+                        {"seconds", record.seconds}});
+  return history;
 }
 
-void
-addMatrix (JsonText& json, const char* name, const Eigen::Matrix4f& matrix)
+Json
+rowsOf (const Eigen::Matrix4f& matrix)
 {
-  json.openArray (name);
-  for (int row = 0; row < 4; ++row) {
-    json.openArray ("");
-    for (int col = 0; col < 4; ++col)
-      json.number ("", matrix (row, col));
-    json.closeArray();
-  }
-  json.closeArray();
+  Json rows = Json::array();
+  for (int row = 0; row < 4; ++row)
+    rows.push_back (
+        {matrix (row, 0), matrix (row, 1), matrix (row, 2), matrix (row, 3)});
+  return rows;
 }
 
 long
@@ -98,25 +84,21 @@ std::string
 reportJson (const SceneFlow& flow, const RunSeconds& seconds, int frames)
 {
   const Report& report = flow.report;
-  JsonText json;
-  json.openObject();
-  json.integer ("frames", frames);
-  json.integer ("width", flow.labels.cols);
-  json.integer ("height", flow.labels.rows);
-  json.integer ("segments", static_cast<long> (flow.segments.size()));
-  json.integer ("undetermined_segments",
-                countStatus (flow, MotionStatus::Undetermined));
-  json.integer ("bodies", flow.bodies);
-  json.integer ("iterations", report.iterations);
-  json.boolean ("converged", report.converged);
-  json.string ("stop_reason", toString (report.stop_reason));
-  json.string ("message", report.message);
-  addSeconds (json, report, seconds);
-  addCost (json, report.initial_cost, report.final_cost);
-  addHistory (json, report.history);
-  addMatrix (json, "dominant_motion", flow.dominant_motion.matrix());
-  json.closeObject();
-  return json.text();
+  return jsonText (
+      {{"frames", frames},
+       {"width", flow.labels.cols},
+       {"height", flow.labels.rows},
+       {"segments", flow.segments.size()},
+       {"undetermined_segments", countStatus (flow, MotionStatus::Undetermined)},
+       {"bodies", flow.bodies},
+       {"iterations", report.iterations},
+       {"converged", report.converged},
+       {"stop_reason", toString (report.stop_reason)},
+       {"message", report.message},
+       {"seconds", secondsOf (report, seconds)},
+       {"cost", costOf (report.initial_cost, report.final_cost)},
+       {"history", historyOf (report.history)},
+       {"dominant_motion", rowsOf (flow.dominant_motion.matrix())}});
 }
 
 void

@@ -140,6 +140,52 @@ TEST (CloudCheck, CloudsThatNoPinholeCameraSeesSaySo)
   EXPECT_THAT (why, HasSubstr ("spinning lidar"));
 }
 
+/** A plane leaves open how it was moved: there is a cause, and a remedy. */
+TEST (CloudCheck, OnePlaneThatWasMovedSaysWhatIsNotDetermined)
+{
+  const auto turn = [] (float angle, const Eigen::Vector3f& axis) {
+    return Eigen::AngleAxisf (angle, axis.normalized()).toRotationMatrix();
+  };
+  const PinholeCamera own = RigidPair::camera();
+  const Eigen::Vector3f normals[] = {{0, 0, 1}, {0.3f, 0.5f, 1}};
+  for (const Eigen::Vector3f& normal : normals)
+    for (const auto& [rotation, offset] :
+         {std::pair (turn (0.5f, {0, 0, 1}), Eigen::Vector3f (0, 0, 0)),
+          std::pair (turn (0.5f, normal), Eigen::Vector3f (0.1f, 0, 0)),
+          std::pair (turn (0.5f, {1, 2, 3}), Eigen::Vector3f (0.5f, 0.2f, 0.1f))}) {
+      cv::Mat points (RigidPair::kHeight, RigidPair::kWidth, CV_32FC3);
+      for (int v = 0; v < points.rows; ++v)
+        for (int u = 0; u < points.cols; ++u) {
+          const Eigen::Vector3f ray (static_cast<float> ((u - own.cx) / own.fx),
+                                     static_cast<float> ((v - own.cy) / own.fy),
+                                     1.0f);
+          const Eigen::Vector3f p = rotation * (2.0f / normal.dot (ray) * ray) + offset;
+          points.at<cv::Vec3f> (v, u) = {p.x(), p.y(), p.z()};
+        }
+      std::string why;
+      PinholeCamera camera;
+      EXPECT_FALSE (fitsCamera (points, own, &why));
+      EXPECT_THAT (why, HasSubstr ("all points lie in one plane"));
+      EXPECT_THAT (why, HasSubstr ("transform the cloud back"));
+      EXPECT_FALSE (estimateCamera (points, camera, &why));
+      EXPECT_THAT (why, HasSubstr ("all points lie in one plane"));
+    }
+}
+
+TEST (CloudCheck, ANumberThatMarksWhatWasNotMeasuredIsNamed)
+{
+  const auto cloud = RigidPair::reference();
+  for (std::size_t i = 0; i < cloud->size(); ++i)
+    if (i % 5 != 0)
+      (*cloud)[i].getVector3fMap().setConstant (1000.0f);
+  PinholeCamera camera;
+  std::string why;
+  EXPECT_FALSE (estimateCamera (coordinateImage (*cloud), camera, &why));
+  EXPECT_THAT (why, HasSubstr ("80 % of the points are (1000, 1000, 1000): write NaN"));
+  EXPECT_FALSE (fitsCamera (coordinateImage (*cloud), RigidPair::camera(), &why));
+  EXPECT_THAT (why, HasSubstr ("are (1000, 1000, 1000)"));
+}
+
 TEST (CloudCheck, ACornerTooFarFromThePrincipalPointSaysSo)
 {
   const cv::Mat points = coordinateImage (*RigidPair::reference());

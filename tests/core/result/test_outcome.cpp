@@ -140,9 +140,50 @@ TEST_F (Outcome, AnotherRoomIsADifferentPlaceThoughItsWallsFit)
   EXPECT_FALSE (flow.report.converged);
 }
 
+/** The room with other texture on the left part of its second picture. */
+TEST_F (Outcome, MostOfTheTextureDecidesWhichPlaceItIs)
+{
+  const test::View view = scene_.render (true);
+  const RgbdFrame other = otherRoom();
+  const auto converges = [&] (double share) {
+    test::View mixed = view;
+    mixed.color = view.color.clone();
+    const cv::Rect part (0, 0, static_cast<int> (share * scene_.width), scene_.height);
+    cv::Mat strange;
+    other.gray().convertTo (strange, CV_32F, 1.0 / 255.0);
+    strange (part).copyTo (mixed.color (part));
+    return align (reference_, scene_.frame (mixed)).report.converged;
+  };
+  EXPECT_TRUE (converges (0.3));
+  EXPECT_FALSE (converges (0.8)) << "though all walls stand where they were";
+}
+
+TEST_F (Outcome, GainAndOffsetAreNoOtherPlace)
+{
+  test::View view = scene_.render (true);
+  view.color = 0.2 + 0.5 * view.color;
+  const SceneFlow flow = align (reference_, scene_.frame (view));
+  EXPECT_TRUE (flow.report.converged) << flow.report.message;
+}
+
 TEST_F (Outcome, ScatteredPointsDetermineNothing)
 {
   expectNothingKnown (align (scattered (false), scattered (true)));
+}
+
+/** Parallel planes may slide along themselves; three walls hold each other. */
+TEST_F (Outcome, ShapeAloneTellsMotionWhereItLeavesNoWayToSlide)
+{
+  const auto shape = [this] (const cv::Mat& depth) { return frame ({}, depth); };
+  const SceneFlow room =
+      align (shape (scene_.render (false).depth), shape (scene_.render (true).depth));
+  EXPECT_TRUE (room.report.converged) << room.report.message;
+  const auto planes = [&] (int left) {
+    cv::Mat depth (scene_.height, scene_.width, CV_32FC1, cv::Scalar (2.0));
+    depth (cv::Rect (left, 40, 50, 50)) = 1.0f;
+    return shape (depth);
+  };
+  expectNothingKnown (align (planes (50), planes (53)));
 }
 
 TEST_F (Outcome, AFrameWithItselfConverges)

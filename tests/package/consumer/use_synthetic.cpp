@@ -8,12 +8,12 @@
 int
 main ()
 {
-  pcl_msf::SequenceOptions options;
+  pcl_msf::synthetic::SequenceOptions options;
   options.width = 32;
   options.height = 24;
-  const auto sequence = pcl_msf::synthesize (options);
+  const auto sequence = pcl_msf::synthetic::synthesize (options);
   try {
-    pcl_msf::writeSequence (sequence, "/dev/null/no folder");
+    pcl_msf::synthetic::writeSequence (sequence, "/dev/null/no folder");
   }
   catch (const pcl_msf::IoError&) {
     return sequence.frames.size() == 2 ? 0 : 1;

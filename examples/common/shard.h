@@ -5,6 +5,11 @@
 #include <cstddef>
 #include <string>
 
+namespace CLI {
+class App;
+class Option;
+} // namespace CLI
+
 namespace pcl_msf::tool {
 
 /** \brief A part of the work: every count-th pair, from the index-th on. */
@@ -24,11 +29,14 @@ struct Shard {
 };
 
 /** \brief Reads "I/N", or "auto": from the variables of the launcher, Slurm arrays
- * (SLURM_ARRAY_TASK_ID, _MIN, _STEP,
- * _COUNT), Open MPI (OMPI_COMM_WORLD_RANK, _SIZE), other
- * MPIs (PMI_RANK, PMI_SIZE); or "auto/N" for GNU parallel (PARALLEL_SEQ), which does
- * not tell N. \throws UsageError */
+ * (SLURM_ARRAY_TASK_ID, _MIN, _STEP, _COUNT), Open MPI (OMPI_COMM_WORLD_RANK, _SIZE),
+ * other MPIs (PMI_RANK, PMI_SIZE), srun (SLURM_PROCID, SLURM_NTASKS); or "auto/N" for
+ * GNU parallel (PARALLEL_SEQ), which does not tell N. \throws UsageError */
 Shard
 parseShard (const std::string& text);
+
+/** \brief Adds --shard. */
+CLI::Option*
+addShard (CLI::App& app, Shard& shard);
 
 } // namespace pcl_msf::tool

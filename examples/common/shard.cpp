@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "shard.h"
+#include "common/shard.h"
 
 #include "common/command_line.h"
-#include "common/option_values.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -43,6 +42,9 @@ placeFromLauncher ()
     return Place{*rank, variable ("OMPI_COMM_WORLD_SIZE")};
   if (const auto rank = variable ("PMI_RANK"))
     return Place{*rank, variable ("PMI_SIZE")};
+  const auto tasks = variable ("SLURM_NTASKS"); // srun; a batch script alone is one
+  if (const auto id = variable ("SLURM_PROCID"); id && tasks.value_or (1) > 1)
+    return Place{*id, tasks};
   if (const auto sequence = variable ("PARALLEL_SEQ"))
     return Place{*sequence - 1, std::nullopt};
   return std::nullopt;
@@ -91,6 +93,21 @@ parseShard (const std::string& text)
   if (shard.count < 1 || shard.index < 1 || shard.index > shard.count)
     throw UsageError ("--shard: " + shard.text() + " is none of 1/N to N/N");
   return shard;
+}
+
+CLI::Option*
+addShard (CLI::App& app, Shard& shard)
+{
+  const auto take = [&shard] (const std::string& text) {
+    shard = parseShard (text);
+    return true;
+  };
+  return addOption (
+      app,
+      "--shard",
+      "I/N",
+      "do the I-th of N parts; auto: as Slurm or MPI says; auto/N: GNU parallel",
+      take);
 }
 
 } // namespace pcl_msf::tool
