@@ -5,57 +5,9 @@
 #include "common/ranges.h"
 #include "common/recordings.h"
 
-#include <string>
-#include <utility>
-
 namespace pcl_msf::tool {
 
 namespace {
-
-/** \brief Which of the outputs a word names; null = none. */
-bool*
-outputOf (const std::string& word, Outputs& outputs)
-{
-  const std::pair<const char*, bool*> words[] = {{"flow", &outputs.flow},
-                                                 {"cloud", &outputs.cloud},
-                                                 {"warped", &outputs.warped},
-                                                 {"visibility", &outputs.visibility},
-                                                 {"labels", &outputs.labels},
-                                                 {"poses", &outputs.poses},
-                                                 {"pictures", &outputs.pictures}};
-  for (const auto& [name, output] : words)
-    if (word == name)
-      return output;
-  return nullptr;
-}
-
-void
-addOutputs (CLI::App& app, Outputs& outputs)
-{
-  const auto take = [&outputs] (const std::string& text) {
-    Outputs wanted{false, false, false, false, false, false, false};
-    if (text.empty() || text.back() == ',')
-      return false;
-    for (const std::string& word : splitAtCommas (text)) {
-      bool* const output = outputOf (word, wanted);
-      if (word == "all")
-        wanted = {};
-      else if (!output)
-        return false;
-      else
-        *output = true;
-    }
-    outputs = wanted;
-    return true;
-  };
-  addOption (app,
-             "--outputs",
-             "A,B,...",
-             "what is written beside the report: all, flow, cloud, warped, visibility, "
-             "labels, poses, pictures",
-             take,
-             "all");
-}
 
 void
 addInputOptions (CLI::App& app, Options& o)
@@ -90,7 +42,17 @@ addInputOptions (CLI::App& app, Options& o)
            o.labels);
   addText (
       app, "--output", "DIR", "folder for the results, made when missing", o.output);
-  addOutputs (app, o.outputs);
+  addWords<Output> (app,
+                    "--outputs",
+                    "what is written beside the report",
+                    o.outputs,
+                    {{"flow", Output::Flow},
+                     {"cloud", Output::Cloud},
+                     {"warped", Output::Warped},
+                     {"visibility", Output::Visibility},
+                     {"labels", Output::Labels},
+                     {"poses", Output::Poses},
+                     {"pictures", Output::Pictures}});
   addNumber (
       app, "--flow-max", "PX", "flow of full colour, 0 = automatic", o.flow_maximum)
       ->check (atLeast (0));

@@ -28,7 +28,7 @@ using Jobs = std::vector<std::function<void()>>;
 void
 addData (const Outcome& o,
          int frame,
-         Outputs wanted,
+         const Options& options,
          const std::filesystem::path& folder,
          Jobs& jobs)
 {
@@ -38,19 +38,19 @@ addData (const Outcome& o,
   const auto path = [folder, pair] (const std::string& name, const char* type) {
     return (folder / (name + pair + type)).string();
   };
-  if (wanted.cloud)
+  if (options.wants (Output::Cloud))
     jobs.push_back ([=, &flow, &reference] {
       io::writeSceneFlowCloud (
           path ("scene_flow", ".pcd"), flow, reference.color, reference.viewpoint);
     });
-  if (wanted.warped)
+  if (options.wants (Output::Warped))
     jobs.push_back ([=, &flow, &reference] {
       io::writeWarpedCloud (
           path ("warped", ".pcd"), flow, reference.color, reference.viewpoint);
     });
-  if (wanted.flow)
+  if (options.wants (Output::Flow))
     jobs.push_back ([=, &flow] { io::writeFlow (path ("flow", ".flo"), flow.flow); });
-  if (wanted.visibility)
+  if (options.wants (Output::Visibility))
     jobs.push_back ([=, &flow] {
       io::writeImage (path ("visibility", ".png"), flow.visibility);
       io::writeImage (path ("visible", ".png"), io::visibilityMask (flow.visibility));
@@ -60,19 +60,19 @@ addData (const Outcome& o,
 /** What belongs to the window as a whole. */
 void
 addWindow (const Outcome& o,
-           Outputs wanted,
+           const Options& options,
            const std::filesystem::path& folder,
            Jobs& jobs)
 {
   const std::string reference = std::to_string (o.reference());
-  if (wanted.labels)
+  if (options.wants (Output::Labels))
     jobs.push_back ([=, &o] {
       io::writeLabels ((folder / ("labels_" + reference + ".png")).string(),
                        o.lastFlow().labels);
       io::writeLabels ((folder / ("bodies_" + reference + ".png")).string(),
                        io::bodyImage (o.lastFlow()));
     });
-  if (wanted.poses && o.result.frames.size() > 2)
+  if (options.wants (Output::Poses) && o.result.frames.size() > 2)
     for (const char* type : {".yaml", ".json"})
       jobs.push_back ([=, &o] {
         io::writePoses (
@@ -96,10 +96,10 @@ writeOutcome (Outcome& outcome, const Options& options)
   const std::filesystem::path folder = options.output;
   const int count = static_cast<int> (outcome.result.frames.size());
   Jobs jobs;
-  addWindow (outcome, options.outputs, folder, jobs);
+  addWindow (outcome, options, folder, jobs);
   for (int k = outcome.first_new; k < count; ++k)
     if (k != outcome.result.reference)
-      addData (outcome, k, options.outputs, folder, jobs);
+      addData (outcome, k, options, folder, jobs);
   parallelFor (threadCount (options.solver.threads),
                static_cast<int> (jobs.size()),
                1,
@@ -107,7 +107,7 @@ writeOutcome (Outcome& outcome, const Options& options)
                  throwIfInterrupted();
                  jobs[i]();
                });
-  for (int k = outcome.first_new; k < count && options.outputs.pictures; ++k)
+  for (int k = outcome.first_new; k < count && options.wants (Output::Pictures); ++k)
     if (k != outcome.result.reference)
       writePictures (outcome, k, options);
   const std::chrono::duration<double> seconds =

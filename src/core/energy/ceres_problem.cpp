@@ -27,7 +27,6 @@ CeresProblem::PrepareForEvaluation (bool evaluate_jacobians, bool)
   if (!linearized_ || !evaluate_jacobians)
     energy_.level().sweep (state_, evaluate_jacobians ? Pass::Linearize : Pass::Cost);
   linearized_ = false;
-  unpackPoses();
   fill (evaluate_jacobians);
 }
 
@@ -45,6 +44,7 @@ CeresProblem::unpackPoses()
 void
 CeresProblem::fill (bool with_jacobians)
 {
+  unpackPoses();
   for (std::size_t i = 0; i < blocks_.size(); ++i)
     blocks_[i].fill (energy_.level().data (energy_.level().used()[i]), with_jacobians);
 }

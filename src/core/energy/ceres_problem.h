@@ -39,7 +39,8 @@ public:
   }
 
 protected:
-  /** \brief Fills the blocks from the data terms' last sweep. */
+  /** \brief Fills the blocks from the data terms' last sweep, and unpacks the state's
+   * poses for the couplings. */
   void
   fill (bool with_jacobians);
 
