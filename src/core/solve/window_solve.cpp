@@ -16,9 +16,11 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kCoarsestLevel = 2;   // the first solve of two frames
-constexpr int kStartLevel = 1;      // their poses are compared at half resolution
-constexpr int kLaterIterations = 4; // of a round after the first at the finest level
+constexpr int kCoarsestLevel = 2; // the first solve of two frames
+constexpr int kSpreads = 2; // how often motions spread from segment to segment there
+constexpr double kEnoughJumps = 0.02; // of the segments, for another solve
+constexpr int kStartLevel = 1;        // their poses are compared at half resolution
+constexpr int kLaterIterations = 4;   // of a round after the first at the finest level
 constexpr double kLeastIntensityNoise = 0.005;
 constexpr double kModelError = 0.15; // pixels that rigid segments leave unexplained
 constexpr double kRelativeDepthNoise = 0.003; // of inverse depth, beside the noise
@@ -107,6 +109,8 @@ WindowSolve::pairSchedule (int finest_level) const
         "solve", level, begin, begin + (level == 0 ? 0.3 : 0.15), user_.max_iterations};
     round.propose = round.merge = level < kCoarsestLevel;
     rounds.push_back (round);
+    if (level == kCoarsestLevel)
+      addSpreads (rounds);
   }
   if (finest > 0)
     return rounds;
@@ -118,6 +122,20 @@ WindowSolve::pairSchedule (int finest_level) const
   }
   rounds.back().last = true;
   return rounds;
+}
+
+/** At the coarsest level, segments that lie beyond the start's reach get their motions
+ * from neighbours, step by step: as the end of a sheet that bends. */
+void
+WindowSolve::addSpreads (std::vector<Round>& rounds)
+{
+  for (int i = 0; i < kSpreads; ++i) {
+    Round again = rounds.back();
+    again.anew = false;
+    again.spread = true;
+    again.measure = i + 1 == kSpreads;
+    rounds.push_back (again);
+  }
 }
 
 /** The start leaves apart what may be one over all pairs, as textureless pieces of one
@@ -222,6 +240,11 @@ WindowSolve::round (const Round& round)
 {
   if (round.anew)
     enterLevel (round);
+  if (round.spread && !spreadMotions()) {
+    if (round.measure)
+      measureCorrelation (round.level);
+    return;
+  }
   if (round.propose && state_.bodies() == scene_.segments)
     pair_start_.proposeAgain (*level_, state_.poses[0]);
   if (round.presort && user_.merge_bodies) {
@@ -232,7 +255,7 @@ WindowSolve::round (const Round& round)
     level_->sharpenRigidBodies (state_);
   monitor_.enter (round.stage, round.level, round.begin, round.end, round.iterations);
   minimize (round.iterations);
-  if (round.level == kCoarsestLevel)
+  if (round.measure)
     measureCorrelation (round.level);
   if (round.merge && user_.merge_bodies) {
     merge();
@@ -261,6 +284,14 @@ WindowSolve::minimize (int iterations)
   report_.initial_cost = outcome.initial;
   report_.final_cost = outcome.final;
   report_.stop_reason = endOfSolve (outcome.settled(), outcome.failed);
+}
+
+/** Lost segments try their neighbours' motions. \return did enough of them jump? */
+bool
+WindowSolve::spreadMotions()
+{
+  const int jumps = pair_start_.proposeToLost (*level_, state_.poses[0]);
+  return jumps >= kEnoughJumps * scene_.segments;
 }
 
 /** What the residuals are worth, from those of the present bodies. */

@@ -71,6 +71,8 @@ private:
     bool anew{true};     ///< with a new level, segments carried by the present poses
     bool fuse{false};    ///< with the depth of all frames
     bool propose{false}; ///< segments may jump
+    bool spread{false};  ///< lost ones alone; without jumps there is no solve
+    bool measure{false}; ///< what residuals are worth, after the solve
     bool presort{false}; ///< bodies merge before the solve, too
     bool sharpen{false}; ///< rigid bodies show their own noise
     bool merge{false};   ///< after the solve, and segments choose among the bodies
@@ -86,6 +88,8 @@ private:
   }
   std::vector<Round>
   pairSchedule (int finest_level) const;
+  static void
+  addSpreads (std::vector<Round>& rounds);
   std::vector<Round>
   windowSchedule () const;
   void
@@ -108,6 +112,8 @@ private:
   fuseDepth ();
   void
   minimize (int iterations);
+  bool
+  spreadMotions ();
   void
   measureCorrelation (int level);
   void

@@ -74,7 +74,7 @@ PairStart::run (const cv::Mat& labels,
   const DataTerm probes (points, texture, makeRules (energy_, points), scene_.threads);
   const auto suggest = [&] (const FlowHypotheses& from) {
     common_.insert (common_.end(), from.bodies.begin(), from.bodies.end());
-    propose (probes, reference.camera.fx, from, kFirstRounds, poses);
+    propose (probes, reference.camera.fx, from, kFirstRounds, {}, poses);
   };
   suggest (flow);
   wanted = unexplained (probes, poses);
@@ -101,15 +101,27 @@ PairStart::run (const cv::Mat& labels,
 void
 PairStart::proposeAgain (const WindowLevel& level, std::vector<RigidPose>& poses) const
 {
-  propose (level.probes (0), level.focalLength(), {}, kLaterRounds, poses);
+  propose (level.probes (0), level.focalLength(), {}, kLaterRounds, {}, poses);
+}
+
+int
+PairStart::proposeToLost (const WindowLevel& level, std::vector<RigidPose>& poses) const
+{
+  return propose (level.probes (0),
+                  level.focalLength(),
+                  {},
+                  kLaterRounds,
+                  unexplained (level.probes (0), poses),
+                  poses);
 }
 
 /** Lets segments jump to the common poses, their flow's and their neighbours'. */
-void
+int
 PairStart::propose (const DataTerm& probes,
                     double focal_length,
                     const FlowHypotheses& flow,
                     int rounds,
+                    std::vector<char> moving,
                     std::vector<RigidPose>& poses) const
 {
   PoseProposals proposals (probes, scene_.links, energy_, focal_length, scene_.threads);
@@ -118,7 +130,9 @@ PairStart::propose (const DataTerm& probes,
   for (std::size_t k = 0; k < flow.fitted.size(); ++k)
     if (flow.fitted[k])
       proposals.addOwn (static_cast<int> (k), flow.of_segment[k]);
-  proposals.run (rounds, poses);
+  if (!moving.empty())
+    proposals.restrictTo (std::move (moving));
+  return proposals.run (rounds, poses);
 }
 
 /** Fits the exposure anew, where points go by a motion that most of the image shares.

@@ -32,13 +32,18 @@ public:
   /** \brief Lets segments jump to poses that many share, and to their neighbours'. */
   void
   proposeAgain (const WindowLevel& level, std::vector<RigidPose>& poses) const;
+  /** \brief The same for segments that do not fit the current frame. \return how many
+   * jumps there were */
+  int
+  proposeToLost (const WindowLevel& level, std::vector<RigidPose>& poses) const;
 
 private:
-  void
+  int
   propose (const DataTerm& probes,
            double focal_length,
            const FlowHypotheses& flow,
            int rounds,
+           std::vector<char> moving,
            std::vector<RigidPose>& poses) const;
   void
   compareExposure (const RigidPose& pose, int at, SegmentPixels& points);

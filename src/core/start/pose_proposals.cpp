@@ -119,7 +119,8 @@ PoseProposals::run (int rounds, std::vector<RigidPose>& poses)
     lookWhoIsSeen (poses);
     std::vector<RigidPose> next = poses;
     const int changes = parallelSum (threads_, segments, 8, [&] (int k) {
-      return improve (k, poses, round == 0, next[k]) ? 1 : 0;
+      const bool stays = !moving_.empty() && moving_[k] == 0;
+      return !stays && improve (k, poses, round == 0, next[k]) ? 1 : 0;
     });
     poses.swap (next);
     total += changes;

@@ -6,6 +6,7 @@
 #include "core/motion/motion_state.h"
 #include <pcl_msf/parameters.h>
 
+#include <utility>
 #include <vector>
 
 namespace pcl_msf {
@@ -36,6 +37,13 @@ public:
   addOwn (int segment, const RigidPose& pose)
   {
     own_[segment].push_back (pose);
+  }
+
+  /** \brief Has these segments alone jump; all do by default. */
+  void
+  restrictTo (std::vector<char> segments)
+  {
+    moving_ = std::move (segments);
   }
 
   /** \brief Runs rounds until nobody moves. \param poses per segment
@@ -69,6 +77,7 @@ private:
   std::vector<std::vector<Neighbor>> neighbors_;
   std::vector<std::vector<RigidPose>> own_;
   std::vector<RigidPose> common_;
+  std::vector<char> moving_;          ///< per segment: may it jump? empty = all may
   std::vector<UnpackedPose> present_; ///< poses of the round
   std::vector<char> seen_; ///< per segment: mostly visible at its present pose
 };
