@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "core/points/cloud_joints.h"
 #include "core/points/part_merging.h"
 #include "core/points/point_matching.h"
@@ -156,8 +158,7 @@ TEST (CloudJoints, FindTheAxisOfATurn)
   CloudPart parent;
   CloudPart child;
   parent.target_from_source = kPose;
-  child.target_from_source =
-      kPose * RigidPose::fromMatrix (turn, point - turn * point);
+  child.target_from_source = kPose * RigidPose::fromMatrix (turn, point - turn * point);
   parent.information.setIdentity();
   child.information.setIdentity();
   parent.information *= 1e8;
