@@ -23,13 +23,13 @@ struct CloudPart {
 /** \brief How one part turns against another that it touches. Deviations are one
  * sigma. */
 struct CloudJoint {
-  int parent{0};                                   ///< the larger part
-  int child{0};                                    ///< the smaller one
-  Eigen::Vector3d axis{Eigen::Vector3d::UnitZ()};  ///< unit, source frame
-  double angle{0.0};                               ///< radians, [0, pi]
-  Eigen::Vector3d point{Eigen::Vector3d::Zero()};  ///< on the axis, source frame
-  double shift{0.0};           ///< along the axis; 0 for a hinge
-  double angle_deviation{0.0}; ///< radians
+  int parent{0};                                  ///< the larger part
+  int child{0};                                   ///< the smaller one
+  Eigen::Vector3d axis{Eigen::Vector3d::UnitZ()}; ///< unit, source frame
+  double angle{0.0};                              ///< radians, [0, pi]
+  Eigen::Vector3d point{Eigen::Vector3d::Zero()}; ///< on the axis, source frame
+  double shift{0.0};                              ///< along the axis; 0 for a hinge
+  double angle_deviation{0.0};                    ///< radians
   double axis_deviation{0.0};  ///< radians; pi / 2 = the angle is too small to tell
   double point_deviation{0.0}; ///< across the axis, unit of the points
 };
@@ -38,13 +38,13 @@ struct CloudJoint {
 struct CloudFlow {
   std::vector<Eigen::Vector3f> warped; ///< per source point; NaN = unknown
   std::vector<int> part;               ///< per source point; -1 = none
-  std::vector<int> target;             ///< per source point: nearest target point, or -1
-  std::vector<float> confidence;       ///< per source point, [0, 1]: how well the target
-                                       ///< shows a surface where it is moved to
-  std::vector<CloudPart> parts;        ///< largest first
-  std::vector<CloudJoint> joints;      ///< of parts that touch
-  double explained_source{0.0};        ///< share of the source's surface seen there
-  double explained_target{0.0};        ///< share of the target's that the source covers
+  std::vector<int> target;        ///< per source point: nearest target point, or -1
+  std::vector<float> confidence;  ///< per source point, [0, 1]: how well the target
+                                  ///< shows a surface where it is moved to
+  std::vector<CloudPart> parts;   ///< largest first
+  std::vector<CloudJoint> joints; ///< of parts that touch
+  double explained_source{0.0};   ///< share of the source's surface seen there
+  double explained_target{0.0};   ///< share of the target's that the source covers
   Report report;
 };
 

@@ -4,6 +4,7 @@
 
 #include <pcl_msf/build_compatibility.h>
 #include <pcl_msf/impl/independent_registration.h>
+#include <pcl_msf/impl/neighbor_registration.h>
 #include <pcl_msf/impl/point_selection.h>
 #include <pcl_msf/lazy_kd_tree.h>
 #include <pcl_msf/multiframe_estimator.h>
@@ -46,6 +47,12 @@ noSceneFlow ();
  * of the targets. A point without depth or with unknown motion is NaN, never
  * left where it was. The one 4x4 matrix of PCL's interface is the motion of the
  * dominant motion group (the one with most points); all the rest is in getSceneFlow.
+ *
+ * <b>Clouds without a grid</b> (laser scans, merged or filtered clouds, vertices) are
+ * registered by nearest neighbours, see setCorrespondence and CloudFlowEstimator: any
+ * unit, any z, one target. Parts take the place of segments, getJoints tells how they
+ * turn against each other; images of the scene flow are as wide as the cloud, optical
+ * flow is NaN. setIndices leaves out points exactly there.
  *
  * <b>Several targets.</b> addInputTarget and setInputTargets make a window of frames in
  * the order of time, the source being the one that setReferenceFrame says, the first by
@@ -250,6 +257,14 @@ public:
   Matrix4
   getPose (int from, int to, int segment) const;
 
+  /** \brief Joints between the parts that the last align found by nearest neighbours;
+   * empty after any other. */
+  const std::vector<CloudJoint>&
+  getJoints () const
+  {
+    return joints_;
+  }
+
   /** \brief How the last align went: stop reason, message, times, energy. */
   const Report&
   getReport () const
@@ -269,6 +284,12 @@ private:
   takeSource (PointCloudSource& output);
   void
   checkTargets () const;
+  bool
+  usesNeighbors () const;
+  void
+  matchNeighbors (const pcl::Indices& points,
+                  const Matrix4& guess,
+                  PointCloudSource& output);
   bool
   isTarget (const PointCloudSource& cloud) const;
   std::vector<RgbdFrame>
@@ -295,6 +316,7 @@ private:
   PointCloudSourceConstPtr aligned_;              ///< the last align's source, a copy
   int reference_{0};
   MultiframeSceneFlow result_;
+  std::vector<CloudJoint> joints_;
   int shown_{0}; ///< frame of the last target, in result_
   detail::PointSelection selection_;
 

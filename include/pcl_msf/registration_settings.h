@@ -12,6 +12,13 @@
 
 namespace pcl_msf {
 
+/** \brief How a point of the source finds the target's. */
+enum class CorrespondenceMethod {
+  Auto,           ///< Projective where all clouds are organized, else NearestNeighbor
+  Projective,     ///< by the camera: brightness and projective ICP
+  NearestNeighbor ///< by place and normal, see CloudFlowEstimator
+};
+
 /** \brief What a user sets on a PiecewiseRigidRegistration, whatever its point type:
  * SceneFlowSettings, and normals and segments of the source from outside. The same
  * rules hold; sizes are judged in align. */
@@ -50,6 +57,17 @@ public:
     return clusters_;
   }
 
+  /** \brief How points find each other, default Auto: clouds without a grid by nearest
+   * neighbours. With NearestNeighbor camera, frame, segmentation and energy parameters
+   * have no effect. */
+  void
+  setCorrespondence (CorrespondenceMethod method);
+  CorrespondenceMethod
+  getCorrespondence () const
+  {
+    return correspondence_;
+  }
+
   /** \brief Back to segments by SegmentationParameters. */
   void
   clearSegmentation ();
@@ -59,6 +77,7 @@ protected:
   ~RegistrationSettings() = default;
 
   NormalCloudConstPtr normals_;
+  CorrespondenceMethod correspondence_{CorrespondenceMethod::Auto};
   LabelCloudConstPtr labels_;
   std::vector<pcl::PointIndices> clusters_;
 };

@@ -54,14 +54,14 @@ struct ChainCloud {
 inline bool
 insideBox (const BoxChain& chain, int box, const Eigen::Vector3d& point)
 {
-  const Eigen::Vector3d center (
-      (box + 0.5) * chain.size.x(), 0.0, 0.0);
+  const Eigen::Vector3d center ((box + 0.5) * chain.size.x(), 0.0, 0.0);
   return ((point - center).cwiseAbs() - 0.5 * chain.size).maxCoeff() < -1e-6;
 }
 
 /** \brief `count` points by area; where boxes overlap only the outside of all. */
 inline ChainCloud
-drawChain (const BoxChain& chain, int count, bool moved, unsigned seed, double noise = 0)
+drawChain (
+    const BoxChain& chain, int count, bool moved, unsigned seed, double noise = 0)
 {
   std::mt19937 random (seed);
   const auto uniform = [&random] { return random() / 4294967296.0; };
@@ -83,12 +83,14 @@ drawChain (const BoxChain& chain, int count, bool moved, unsigned seed, double n
     Eigen::Vector3d p (uniform() - 0.5, uniform() - 0.5, uniform() - 0.5);
     p[face] = random() % 2 ? 0.5 : -0.5;
     p = p.cwiseProduct (s) + Eigen::Vector3d ((box + 0.5) * s.x(), 0.0, 0.0);
-    const bool cap = face == 0 && !((box == 0 && p.x() < 0.5 * s.x()) ||
-                                    (box == chain.boxes - 1 && p.x() > (box + 0.5) * s.x()));
+    const bool cap =
+        face == 0 && !((box == 0 && p.x() < 0.5 * s.x()) ||
+                       (box == chain.boxes - 1 && p.x() > (box + 0.5) * s.x()));
     bool hidden = cap && !moved;
     const Eigen::Vector3d q = moved ? chain.pose (box) * p : p;
     for (int other = 0; other < chain.boxes && !hidden && moved; ++other)
-      hidden = other != box && insideBox (chain, other, chain.pose (other).inverse() * q);
+      hidden =
+          other != box && insideBox (chain, other, chain.pose (other).inverse() * q);
     if (hidden)
       continue;
     const Eigen::Vector3d jitter (normal(), normal(), normal());

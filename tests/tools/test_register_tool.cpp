@@ -31,10 +31,10 @@ TEST (RegisterTool, WritesWhatAUserWants)
     obj << "v " << p.x() << " " << p.y() << " " << p.z() << "\n";
   obj << "f 1 2 3\n";
   writeFile (folder ("target.obj"), obj.str());
-  const ToolRun done = runTool (folder,
-                                kTool + folder ("source.ply") + " " +
-                                    folder ("target.obj") + " --threads 2 --output " +
-                                    folder ("out"));
+  const ToolRun done =
+      runTool (folder,
+               kTool + folder ("source.ply") + " " + folder ("target.obj") +
+                   " --threads 2 --output " + folder ("out"));
   ASSERT_EQ (done.status, 0) << done.err;
   EXPECT_THAT (done.out, HasSubstr ("3000 points"));
   EXPECT_TRUE (done.err.empty()) << done.err;
@@ -63,9 +63,9 @@ TEST (RegisterTool, RefusesInOneLine)
   const std::string few = folder ("few.ply");
   const std::string output = " --output " + folder ("out");
   for (const std::string& arguments :
-       {few + output,                         // no target
-        few + " " + few,                      // no output
-        few + " " + few + output,             // too few points
+       {few + output,             // no target
+        few + " " + few,          // no output
+        few + " " + few + output, // too few points
         few + " " + folder ("none.ply") + output,
         few + " " + few + " " + few + output, // a word too many
         few + " " + few + output + " --threads x"}) {

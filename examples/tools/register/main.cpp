@@ -27,9 +27,12 @@ using namespace pcl_msf::tool;
 
 constexpr const char* kProgram = "pcl_msf_register";
 constexpr const char* kSummary =
-    "Registers an articulated or deforming body given as two clouds of points without a\n"
-    "grid: its parts, their motions and joints, and where every point has gone. Lengths\n"
-    "are in the unit of the files. Exit status: 0 = written and found, 3 = written but\n"
+    "Registers an articulated or deforming body given as two clouds of points without "
+    "a\n"
+    "grid: its parts, their motions and joints, and where every point has gone. "
+    "Lengths\n"
+    "are in the unit of the files. Exit status: 0 = written and found, 3 = written "
+    "but\n"
     "not found or cut short (stderr says why), else an error.";
 constexpr int kNotFound = 3; // exit status; everything was written
 
@@ -44,7 +47,8 @@ struct RegisterOptions {
 void
 declareOptions (CLI::App& app, RegisterOptions& o)
 {
-  addText (app, "SOURCE", "FILE", "a .pcd, .ply or .obj; its points are followed", o.source)
+  addText (
+      app, "SOURCE", "FILE", "a .pcd, .ply or .obj; its points are followed", o.source)
       ->required();
   addText (app, "TARGET", "FILE", "a .pcd, .ply or .obj", o.target)->required();
   addText (app,
@@ -55,7 +59,8 @@ declareOptions (CLI::App& app, RegisterOptions& o)
       ->required();
   addNumber (app, "--threads", "N", "0 = all", o.solver.threads);
   addNumber (app, "--max-seconds", "S", "time budget, 0 = none", o.solver.max_seconds);
-  addSwitch (app, "--merge-bodies", "join what moves as one part", o.solver.merge_bodies);
+  addSwitch (
+      app, "--merge-bodies", "join what moves as one part", o.solver.merge_bodies);
   addFlag (app, "--quiet", "print errors and warnings only", o.quiet);
   app.final_callback ([&o] {
     std::string why;
@@ -94,8 +99,7 @@ writeResults (const std::string& folder,
   io::writeRegisteredCloud (folder + "/registered.pcd", flow, source);
   io::writeText (folder + "/parts.txt", partsText (flow));
   io::writeJoints (folder + "/joints.json", flow);
-  io::writeCloudReport (
-      folder + "/report.json", flow, load_seconds, total_seconds);
+  io::writeCloudReport (folder + "/report.json", flow, load_seconds, total_seconds);
 }
 
 void
@@ -171,5 +175,6 @@ run (const RegisterOptions& options)
 int
 main (int argc, char** argv)
 {
-  return toolMain<RegisterOptions> ({kProgram, kSummary, declareOptions, run}, argc, argv);
+  return toolMain<RegisterOptions> (
+      {kProgram, kSummary, declareOptions, run}, argc, argv);
 }

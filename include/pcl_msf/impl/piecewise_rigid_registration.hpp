@@ -42,11 +42,17 @@ PiecewiseRigidRegistration<PointT>::computeTransformation (PointCloudSource& out
 {
   this->correspondences_->clear();
   this->nr_iterations_ = 0;
+  joints_.clear();
   this->target_cloud_updated_ = true; // by the next align it may have other points
   pcl::Indices points;
   try {
     points = takeSource (output);
     checkTargets();
+    if (usesNeighbors()) {
+      matchNeighbors (points, guess, output);
+      showResult (output, points);
+      return;
+    }
     detail::Stopwatch watch;
     const std::vector<RgbdFrame> frames = makeFrames(); // section 3.3
     const double frame_seconds = watch.lap();
@@ -98,8 +104,60 @@ PiecewiseRigidRegistration<PointT>::takeSource (PointCloudSource& output)
                         "call setInputSource");
   if (!misfit.empty())
     throw InvalidInput (misfit);
-  requireOrganized (*source, "source");
+  if (!usesNeighbors())
+    requireOrganized (*source, "source");
   return points;
+}
+
+template <typename PointT>
+bool
+PiecewiseRigidRegistration<PointT>::usesNeighbors() const
+{
+  if (correspondence_ != CorrespondenceMethod::Auto)
+    return correspondence_ == CorrespondenceMethod::NearestNeighbor;
+  return aligned_->height == 1 ||
+         std::any_of (targets_.begin(), targets_.end(), [] (const auto& target) {
+           return target->height == 1;
+         });
+}
+
+template <typename PointT>
+void
+PiecewiseRigidRegistration<PointT>::matchNeighbors (const pcl::Indices& points,
+                                                    const Matrix4& guess,
+                                                    PointCloudSource& output)
+{
+  if (targets_.size() != 1 || reference_ != 0)
+    throw InvalidInput ("nearest neighbours take one target after the source: call "
+                        "setInputTarget, or setCorrespondence (Projective)");
+  if (labels_ || !clusters_.empty())
+    throw InvalidInput ("nearest neighbours find their own segments: call "
+                        "clearSegmentation, or setCorrespondence (Projective)");
+  SolverParameters solver = getSolverParameters();
+  detail::GuardedProgress progress (solver.progress);
+  solver.progress = progress.function();
+  detail::NeighborRegistration found =
+      detail::registerByNeighbors (detail::allPoints (*aligned_),
+                                   detail::allPoints (*targets_[0]),
+                                   points,
+                                   solver,
+                                   detail::startPose (guess));
+  progress.rethrow();
+  result_ = std::move (found.flow);
+  joints_ = std::move (found.joints);
+  shown_ = 1;
+  detail::warpCloud (getSceneFlow(), points, output);
+  const SceneFlow& flow = getSceneFlow();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const int match = found.target[points[i]];
+    if (match < 0 || flow.visibility.data[points[i]] != Visibility::Visible)
+      continue;
+    const float distance =
+        (output[i].getVector3fMap() - (*targets_[0])[match].getVector3fMap())
+            .squaredNorm();
+    this->correspondences_->emplace_back (points[i], match, distance);
+  }
+  publish();
 }
 
 template <typename PointT>
@@ -117,7 +175,7 @@ PiecewiseRigidRegistration<PointT>::checkTargets() const
 {
   if (targets_.empty())
     throw InvalidInput ("there is no target: call setInputTarget");
-  for (std::size_t k = 0; k < targets_.size(); ++k)
+  for (std::size_t k = 0; k < targets_.size() && !usesNeighbors(); ++k)
     requireOrganized (*targets_[k], detail::targetName (k, targets_.size()));
   if (reference_ > static_cast<int> (targets_.size()))
     throw InvalidInput ("the reference frame lies beyond the targets: call "

@@ -16,7 +16,7 @@ namespace pcl_msf::io {
 /** \brief The points of a file, whatever their order. */
 struct PointFile {
   std::vector<Eigen::Vector3f> points; ///< as in the file; NaN = no point
-  std::vector<std::uint32_t> colors;   ///< 0xRRGGBB per point; empty when there are none
+  std::vector<std::uint32_t> colors; ///< 0xRRGGBB per point; empty when there are none
 };
 
 /** \brief Reads the points of a .pcd, .ply (ascii or binary) or .obj file; of the last

@@ -43,6 +43,16 @@ RegistrationSettings::setSegmentation (const std::vector<pcl::PointIndices>& clu
 }
 
 void
+RegistrationSettings::setCorrespondence (CorrespondenceMethod method)
+{
+  if (method >= CorrespondenceMethod::Auto &&
+      method <= CorrespondenceMethod::NearestNeighbor)
+    correspondence_ = method;
+  else
+    printError ("setCorrespondence", "not a value of CorrespondenceMethod");
+}
+
+void
 RegistrationSettings::clearSegmentation()
 {
   labels_.reset();

@@ -3,11 +3,14 @@
 #include "core/points/body_parts.h"
 
 #include "core/base/parallel_for.h"
+#include "core/points/residual_scale.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <set>
+#include <utility>
 
 namespace pcl_msf {
 
@@ -15,8 +18,9 @@ namespace {
 
 constexpr double kRigidShare = 0.02; // of the points: a body of its own
 constexpr int kPolish = 4;           // rounds of fitting the bodies' motions
-constexpr double kLeastScale = 0.25; // of residuals, spacings of the target
-constexpr int kSmoothing = 2;        // rounds over neighbours when borders are drawn
+constexpr int kAbsorb = 5;      // rounds of joining what fits a larger body as well
+constexpr double kWorse = 0.12; // distance that may cost, spacings of the target
+constexpr int kSmoothing = 2;   // rounds over neighbours when borders are drawn
 
 MatchRules
 fineRules (double distance)
@@ -27,25 +31,6 @@ fineRules (double distance)
   rules.isotropy = 0.01; // what planes leave free stays near
   rules.backward = 0.0;
   return rules;
-}
-
-double
-deviationOf (const MovedPoints& moved, const std::vector<PointPull>& pulls)
-{
-  std::vector<double> residuals;
-  for (std::size_t i = 0; i < pulls.size(); ++i) {
-    if (!(pulls[i].weight > 0.1))
-      continue;
-    const Eigen::Vector3d x = moved.points[i].cast<double>();
-    const double cost = x.dot (pulls[i].a * x) - 2.0 * pulls[i].b.dot (x) +
-                        2.0 * pulls[i].c;
-    residuals.push_back (std::max (0.0, cost / pulls[i].weight));
-  }
-  if (residuals.empty())
-    return 0.0;
-  const auto middle = residuals.begin() + residuals.size() / 2;
-  std::nth_element (residuals.begin(), middle, residuals.end());
-  return 1.4826 * std::sqrt (*middle);
 }
 
 class PartFinder {
@@ -74,6 +59,8 @@ public:
       chooseBodies();
       drawBorders();
       for (int round = 0; round < kPolish; ++round)
+        polish();
+      for (int round = 0; round < kAbsorb && absorb(); ++round)
         polish();
     }
     return result();
@@ -180,8 +167,7 @@ private:
       for (int c = 0; c < Most && parts[i][c] >= 0; ++c) {
         float sum = before[i][c];
         float weight = 1.0f;
-        for (const SurfaceEdge* e = source_.graph.begin (i);
-             e != source_.graph.end (i);
+        for (const SurfaceEdge* e = source_.graph.begin (i); e != source_.graph.end (i);
              ++e)
           for (int d = 0; d < Most; ++d)
             if (parts[e->to][d] == parts[i][c] && parts[e->to][1] >= 0) {
@@ -214,6 +200,80 @@ private:
     for (int k = 0; k < segments_.size(); ++k)
       if (rigid_[part_of_[k]])
         poses_[k] = part_poses_[part_of_[k]];
+  }
+  /** Pairs of parts that touch, the smaller one first. */
+  std::set<std::pair<int, int>>
+  touchingParts (const std::vector<int>& sizes) const
+  {
+    std::set<std::pair<int, int>> pairs;
+    for (int i = 0; i < source_.size(); ++i)
+      for (const SurfaceEdge* e = source_.graph.begin (i); e != source_.graph.end (i);
+           ++e) {
+        const int a = part_[i];
+        const int b = part_[e->to];
+        if (a != b && rigid_[b] &&
+            std::make_pair (sizes[a], a) < std::make_pair (sizes[b], b))
+          pairs.insert ({a, b});
+      }
+    return pairs;
+  }
+  /** Mean distance of points from the target, where they are or with another part. */
+  double
+  distanceOf (const std::vector<int>& points, int other)
+  {
+    PointSamples some;
+    for (const int i : points) {
+      some.points.push_back (source_.points[i]);
+      some.normals.push_back (source_.normals[i]);
+      some.members.push_back (other >= 0 ? oneOf (other) : all_.members[i]);
+    }
+    double sum = 0.0;
+    for (const float d : target_.distances (movePoints (some, poses_, threads_),
+                                            fineRules (2.0 * spacing_),
+                                            3.0 * spacing_,
+                                            threads_))
+      sum += d;
+    return sum / std::max<std::size_t> (1, points.size());
+  }
+  /** Parts that fit the target as well with a larger body's motion join that body.
+   * \return did any? */
+  bool
+  absorb ()
+  {
+    std::vector<std::vector<int>> points (part_poses_.size());
+    for (int i = 0; i < source_.size(); ++i)
+      points[part_[i]].push_back (i);
+    std::vector<int> sizes;
+    for (const auto& list : points)
+      sizes.push_back (static_cast<int> (list.size()));
+    std::vector<int> into (points.size(), -1);
+    std::vector<double> best (points.size(), 0.0);
+    for (const auto& [a, b] : touchingParts (sizes)) {
+      if (into[a] < 0 && best[a] == 0.0)
+        best[a] = 1.1 * distanceOf (points[a], -1) + kWorse * spacing_;
+      const double distance = distanceOf (points[a], b);
+      if (distance < best[a]) {
+        best[a] = distance;
+        into[a] = b;
+      }
+    }
+    bool any = false;
+    for (std::size_t a = 0; a < points.size(); ++a) {
+      int b = into[a];
+      while (b >= 0 && into[b] >= 0) // larger and larger
+        b = into[b];
+      if (b < 0)
+        continue;
+      any = true;
+      for (const int i : points[a]) {
+        part_[i] = b;
+        all_.members[i] = oneOf (b);
+      }
+      for (int k = 0; k < segments_.size(); ++k)
+        if (part_of_[k] == static_cast<int> (a))
+          part_of_[k] = b;
+    }
+    return any;
   }
   BodyParts
   result ()
@@ -255,8 +315,8 @@ private:
   MatchTarget& target_;
   double spacing_;
   int threads_;
-  std::vector<RigidPose> poses_;      ///< per segment
-  PointSamples all_;                  ///< the working points
+  std::vector<RigidPose> poses_; ///< per segment
+  PointSamples all_;             ///< the working points
   double variance_{1.0};
   std::vector<int> part_of_;          ///< per segment
   std::vector<RigidPose> part_poses_; ///< per part

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include <pcl_msf/cloud_flow_estimator.h>
-
 #include "core/base/parallel_for.h"
 #include "core/points/point_result.h"
 #include "core/points/point_solve.h"
+#include <pcl_msf/cloud_flow_estimator.h>
 #include <pcl_msf/errors.h>
 
 #include <chrono>

@@ -48,8 +48,7 @@ jointBetween (const CloudPart& parent,
               const Eigen::Vector3d& seam)
 {
   CloudJoint joint;
-  const RigidPose turn =
-      parent.target_from_source.inverse() * child.target_from_source;
+  const RigidPose turn = parent.target_from_source.inverse() * child.target_from_source;
   const Eigen::Vector3d vector (
       turn.parameters[0], turn.parameters[1], turn.parameters[2]);
   joint.angle = vector.norm();

@@ -68,16 +68,16 @@ SurfaceIsometry::keepConsistent (const std::vector<PointPair>& pairs)
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < n; ++j)
       if (i != j) {
-        c[i][j] =
-            agreement (source_rows_[i][pairs[j].source], target_rows_[i][pairs[j].target]);
+        c[i][j] = agreement (source_rows_[i][pairs[j].source],
+                             target_rows_[i][pairs[j].target]);
         support[i] += c[i][j];
       }
   std::vector<std::size_t> alive (n);
   for (std::size_t i = 0; i < n; ++i)
     alive[i] = i;
   while (alive.size() > 3) {
-    const auto worst =
-        std::min_element (alive.begin(), alive.end(), [&] (std::size_t i, std::size_t j) {
+    const auto worst = std::min_element (
+        alive.begin(), alive.end(), [&] (std::size_t i, std::size_t j) {
           return support[i] < support[j];
         });
     if (support[*worst] >= kAgreement * static_cast<double> (alive.size() - 1))
@@ -143,10 +143,10 @@ SurfaceIsometry::match (const std::vector<int>& source_points,
     const auto j = best - all[i].begin();
     if (*best < kScore)
       continue;
-    const float way = (source_.points[source_points[back[j]]] -
-                       source_.points[source_points[i]])
-                          .norm() /
-                      (kWayBack * size_);
+    const float way =
+        (source_.points[source_points[back[j]]] - source_.points[source_points[i]])
+            .norm() /
+        (kWayBack * size_);
     const float g = 1.0f / (1.0f + way * way);
     pairs.push_back ({source_points[i], target_points[j], *best * *best * g * g});
   }

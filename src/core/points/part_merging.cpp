@@ -12,8 +12,8 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr double kAllowance = 10.0;  // of a merge, in halved squared deviations
-constexpr double kPerPoint = 0.25;   // further, per point of the smaller part
+constexpr double kAllowance = 10.0; // of a merge, in halved squared deviations
+constexpr double kPerPoint = 0.25;  // further, per point of the smaller part
 
 struct Part {
   RigidMoments moments;

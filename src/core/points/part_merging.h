@@ -11,9 +11,9 @@ namespace pcl_msf {
 
 /** \brief Parts that move as one. */
 struct MergedParts {
-  std::vector<int> part_of;           ///< per segment
-  std::vector<RigidMoments> moments;  ///< per part
-  std::vector<RigidPose> poses;       ///< per part, the best of its moments
+  std::vector<int> part_of;          ///< per segment
+  std::vector<RigidMoments> moments; ///< per part
+  std::vector<RigidPose> poses;      ///< per part, the best of its moments
 };
 
 /** \brief Joins segments that move as one, the cheapest first: two parts merge when one

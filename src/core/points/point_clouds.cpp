@@ -38,11 +38,10 @@ dropDoubles (const std::vector<Eigen::Vector3f>& points, std::vector<int>& chose
   std::sort (chosen.begin(), chosen.end(), [&key] (int a, int b) {
     return std::make_pair (key (a), a) < std::make_pair (key (b), b);
   });
-  chosen.erase (
-      std::unique (chosen.begin(),
-                   chosen.end(),
-                   [&key] (int a, int b) { return key (a) == key (b); }),
-      chosen.end());
+  chosen.erase (std::unique (chosen.begin(),
+                             chosen.end(),
+                             [&key] (int a, int b) { return key (a) == key (b); }),
+                chosen.end());
   std::sort (chosen.begin(), chosen.end());
 }
 
@@ -103,8 +102,7 @@ RigidPose
 PointClouds::scaled (const RigidPose& pose) const
 {
   const Eigen::Matrix3d r = pose.rotation();
-  return RigidPose::fromMatrix (r,
-                                (pose.translation() - center + r * center) / size);
+  return RigidPose::fromMatrix (r, (pose.translation() - center + r * center) / size);
 }
 
 PointClouds
@@ -132,7 +130,8 @@ preparePointClouds (const std::vector<Eigen::Vector3f>& source,
       scaled.push_back (clouds.scaled (p));
     return scaled;
   };
-  clouds.source = makeWorkingCloud (scale (source), std::move (finite), "source", threads);
+  clouds.source =
+      makeWorkingCloud (scale (source), std::move (finite), "source", threads);
   clouds.target =
       makeWorkingCloud (scale (target), finitePoints (target), "target", threads);
   return clouds;

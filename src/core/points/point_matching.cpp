@@ -18,12 +18,8 @@ Feature
 featureOf (const Eigen::Vector3f& point, const Eigen::Vector3f& normal, double length)
 {
   const auto l = static_cast<float> (length);
-  return {point.x(),
-          point.y(),
-          point.z(),
-          l * normal.x(),
-          l * normal.y(),
-          l * normal.z()};
+  return {
+      point.x(), point.y(), point.z(), l * normal.x(), l * normal.y(), l * normal.z()};
 }
 
 PointTree
@@ -102,10 +98,8 @@ MatchTarget::pulls (const MovedPoints& moved, const MatchRules& rules, int threa
       const double s = rules.mutual * rules.mutual;
       weight *= s / (s + way) * s / (s + way);
     }
-    pulls[i].add (q.cast<double>(),
-                  surface_.normals[j].cast<double>(),
-                  weight,
-                  rules.isotropy);
+    pulls[i].add (
+        q.cast<double>(), surface_.normals[j].cast<double>(), weight, rules.isotropy);
   });
   if (!(rules.backward > 0.0))
     return pulls;
@@ -207,9 +201,10 @@ MatchTarget::covered (const MovedPoints& moved,
 {
   prepare (rules.normal_length);
   const PointTree own = featureTree (moved.points, moved.normals, rules.normal_length);
-  const auto near = [most] (const auto& x, const auto& n, const auto& q, const auto& m) {
-    return (x - q).norm() < most && n.dot (m) > 0.0f ? 1 : 0;
-  };
+  const auto near =
+      [most] (const auto& x, const auto& n, const auto& q, const auto& m) {
+        return (x - q).norm() < most && n.dot (m) > 0.0f ? 1 : 0;
+      };
   const int n = static_cast<int> (moved.points.size());
   const int m = static_cast<int> (samples_.size());
   const int forward = parallelSum (threads, n, 128, [&] (int i) {
@@ -255,8 +250,11 @@ MatchTarget::tightPairs (const MovedPoints& moved, const MatchRules& rules, int 
     const int k = own.nearest (y.data()).index;
     if ((moved.points[k] - moved.points[i]).norm() > rules.distance)
       return;
-    const double w = trust (
-        moved.points[i], moved.normals[i], surface_.points[j], surface_.normals[j], rules);
+    const double w = trust (moved.points[i],
+                            moved.normals[i],
+                            surface_.points[j],
+                            surface_.normals[j],
+                            rules);
     if (w > 0.4)
       all[i] = {i, j, w};
   });

@@ -40,11 +40,10 @@ PointProblem::PointProblem (const PointSamples& samples,
         new SegmentBlockCost (blocks_[k]), nullptr, steps_[k].data());
   for (std::size_t i = 0; i < segments.links.size(); ++i) {
     const SegmentLink& link = segments.links[i];
-    problem_->AddResidualBlock (
-        new SeamCost (motions_, link, weights.unit, scales_[i]),
-        nullptr,
-        steps_[link.first].data(),
-        steps_[link.second].data());
+    problem_->AddResidualBlock (new SeamCost (motions_, link, weights.unit, scales_[i]),
+                                nullptr,
+                                steps_[link.first].data(),
+                                steps_[link.second].data());
   }
 }
 

@@ -59,11 +59,11 @@ private:
   PointEnergyWeights weights_;
   int threads_;
   std::vector<RigidPose>& poses_;
-  std::vector<CenteredMotion> motions_;       ///< before the step
-  std::vector<std::array<double, 6>> steps_;  ///< the solver's unknowns
-  std::vector<double> scales_;                ///< per link
-  std::vector<std::vector<Share>> shares_;    ///< per segment, of the samples
-  std::vector<CompressedBlock> blocks_;       ///< per segment
+  std::vector<CenteredMotion> motions_;      ///< before the step
+  std::vector<std::array<double, 6>> steps_; ///< the solver's unknowns
+  std::vector<double> scales_;               ///< per link
+  std::vector<std::vector<Share>> shares_;   ///< per segment, of the samples
+  std::vector<CompressedBlock> blocks_;      ///< per segment
   const std::vector<PointPull>* pulls_{nullptr};
   std::unique_ptr<ceres::Problem> problem_;
 };

@@ -15,8 +15,8 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr double kFound = 4.0;      // spacings: a surface is seen there
-constexpr double kJointShare = 0.01; // of the points: a part that has joints
+constexpr double kFound = 4.0;       // spacings: a surface is seen there
+constexpr double kJointShare = 0.02; // of the points: a part that has joints
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 /** Information of a pose of points as given from that of scaled ones. */
@@ -139,21 +139,15 @@ makeCloudFlow (const PointClouds& clouds,
   MatchRules rules;
   rules.normal_length = 0.02;
   const MovedPoints moved{parts.points, parts.normals};
-  const double limit =
-      kFound * std::max (clouds.source.surface.median_spacing,
-                         clouds.target.surface.median_spacing);
+  const double limit = kFound * std::max (clouds.source.surface.median_spacing,
+                                          clouds.target.surface.median_spacing);
   const std::vector<float> away =
       solve.fineTarget().distances (moved, rules, limit, threads);
   std::vector<float> confidence;
   for (const float d : away)
     confidence.push_back (1.0f - d / static_cast<float> (limit));
-  carryAll (clouds,
-            parts,
-            source,
-            clouds.target.surface.points,
-            confidence,
-            threads,
-            flow);
+  carryAll (
+      clouds, parts, source, clouds.target.surface.points, confidence, threads, flow);
   const auto [s, t] = solve.fineTarget().covered (moved, rules, limit, threads);
   flow.explained_source = s;
   flow.explained_target = t;
@@ -163,7 +157,7 @@ makeCloudFlow (const PointClouds& clouds,
 void
 noteOutcome (const SolveProgress& progress, CloudFlow& flow)
 {
-  constexpr double unexplained = 0.05; // of both clouds: something lies elsewhere
+  constexpr double unexplained = 0.02; // of both clouds: something lies elsewhere
   Report& report = flow.report;
   report.iterations = progress.iterations();
   report.history = progress.history();

@@ -19,13 +19,14 @@ constexpr std::array<PointStage, 4> kStages{{{30, 0.6, 0.10, 0.06, 10},
                                              {60, 0.2, 0.08, 0.03, 15},
                                              {150, 0.06, 0.05, 0.02, 15},
                                              {400, 0.02, 0.03, 0.005, 15}}};
-constexpr int kIsometricCut = 2;           // where limbs are started anew
+constexpr int kIsometricCut = 2; // where limbs are started anew
 constexpr int kIsometricSteps = 15;
 constexpr double kIsometricRegularizer = 0.2;
 constexpr double kIsometricFrom = 0.2; // scale of the pairs' robust weight, sizes
 constexpr double kIsometricTo = 0.03;
-constexpr int kRounds = 2;      // of starting anew
-constexpr int kAnchors = 80;    // pairs that may be
+constexpr int kRounds = 4;     // of starting anew, at the most
+constexpr double kGain = 2e-3; // of what is explained, for one more round
+constexpr int kAnchors = 80;   // pairs that may be
 constexpr int kSourceSeeks = 1000;
 constexpr int kTargetSeeks = 2000;
 constexpr int kStepIterations = 2;
@@ -77,9 +78,10 @@ PointSolve::PointSolve (const PointClouds& clouds,
 , fine_ (clouds.target.surface, clouds.target.samples)
 {
   for (const PointStage& stage : kStages)
-    cuts_.push_back (cutSurface (clouds.source.surface,
-                                 stage.segments,
-                                 cuts_.empty() ? std::vector<int>() : cuts_.back().seeds));
+    cuts_.push_back (
+        cutSurface (clouds.source.surface,
+                    stage.segments,
+                    cuts_.empty() ? std::vector<int>() : cuts_.back().seeds));
   poses_.assign (cuts_[0].size(), start);
   enter (0);
 }
@@ -127,7 +129,8 @@ std::vector<PointPair>
 PointSolve::isometricPairs()
 {
   const MovedPoints moved = movePoints (samples_, poses_, threads_);
-  const std::vector<PointPair> tight = coarse_.tightPairs (moved, tightRules(), threads_);
+  const std::vector<PointPair> tight =
+      coarse_.tightPairs (moved, tightRules(), threads_);
   const Surface& source = clouds_.source.thin;
   const Surface& target = clouds_.target.thin;
   std::vector<int> places;
@@ -163,9 +166,8 @@ PointSolve::followPairs (const std::vector<PointPair>& pairs)
   PointProblem problem (samples_, segments(), weights, threads_, poses_);
   for (int i = 0; i < kIsometricSteps && !progress_.stopped(); ++i) {
     const MovedPoints moved = movePoints (samples_, poses_, threads_);
-    const double scale =
-        kIsometricFrom *
-        std::pow (kIsometricTo / kIsometricFrom, i / (kIsometricSteps - 1.0));
+    const double scale = kIsometricFrom * std::pow (kIsometricTo / kIsometricFrom,
+                                                    i / (kIsometricSteps - 1.0));
     std::vector<PointPull> pulls (samples_.size());
     for (const PointPair& pair : pairs) {
       const Eigen::Vector3f& q = clouds_.target.thin.points[pair.target];
@@ -205,10 +207,11 @@ PointSolve::run()
     match (kStages[kIsometricCut], coarse_);
     enter (last);
     match (kStages[last], fine_);
-    if (explained() < reached) {
+    const double now = explained();
+    if (now < reached)
       poses_ = before;
+    if (now < (1.0 + kGain) * reached)
       break;
-    }
   }
 }
 

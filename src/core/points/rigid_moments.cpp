@@ -91,8 +91,8 @@ RigidMoments::solve (const RigidPose& start, Matrix6* information) const
   const RigidPose pose = RigidPose::fromMatrix (r, t);
   if (information) {
     Eigen::Matrix<double, 6, 6> change = Eigen::Matrix<double, 6, 6>::Identity();
-    change.topLeftCorner<3, 3>() = leftJacobian (
-        {pose.parameters[0], pose.parameters[1], pose.parameters[2]});
+    change.topLeftCorner<3, 3>() =
+        leftJacobian ({pose.parameters[0], pose.parameters[1], pose.parameters[2]});
     // A turn about the origin moves the translation, too.
     change.bottomLeftCorner<3, 3>() = skew (t) * change.topLeftCorner<3, 3>();
     *information = change.transpose() * a * change;

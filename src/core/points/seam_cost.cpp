@@ -25,7 +25,8 @@ seamDifference (const CenteredMotion& first,
   d.head<3>() = (first * link.midpoint - second * link.midpoint) / unit;
   const double lever = link.lever / (unit * std::sqrt (2.0));
   for (int c = 0; c < 3; ++c)
-    d.segment<3> (3 + 3 * c) = lever * (first.rotation.col (c) - second.rotation.col (c));
+    d.segment<3> (3 + 3 * c) =
+        lever * (first.rotation.col (c) - second.rotation.col (c));
   return d;
 }
 
@@ -47,8 +48,7 @@ SeamCost::Evaluate (double const* const* steps,
     Eigen::Map<Eigen::Matrix<double, 12, 6, Eigen::RowMajor>> j (jacobians[s]);
     j.setZero();
     const double sign = s == 0 ? scale_ : -scale_;
-    const Eigen::Matrix3d turn =
-        leftJacobian ({steps[s][0], steps[s][1], steps[s][2]});
+    const Eigen::Matrix3d turn = leftJacobian ({steps[s][0], steps[s][1], steps[s][2]});
     const Eigen::Vector3d arm = motions[s] * link_.midpoint - motions[s].moved;
     j.block<3, 3> (0, 0) = -sign / unit_ * skew (arm) * turn;
     j.block<3, 3> (0, 3).diagonal().setConstant (sign / unit_);

@@ -20,8 +20,8 @@ fitOnce (const Eigen::Matrix3Xd& from,
   const double sum = weights.sum();
   const Eigen::Vector3d a = from * weights / sum;
   const Eigen::Vector3d b = to * weights / sum;
-  const Eigen::Matrix3d h = (to.colwise() - b) * weights.asDiagonal() *
-                            (from.colwise() - a).transpose();
+  const Eigen::Matrix3d h =
+      (to.colwise() - b) * weights.asDiagonal() * (from.colwise() - a).transpose();
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd (
       h, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Vector3d signs = Eigen::Vector3d::Ones();

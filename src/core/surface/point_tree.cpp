@@ -84,9 +84,7 @@ PointTree::nearest (const float* query) const
 }
 
 void
-PointTree::nearest (const float* query,
-                    int count,
-                    std::vector<FoundPoint>& found) const
+PointTree::nearest (const float* query, int count, std::vector<FoundPoint>& found) const
 {
   found.clear();
   if (!index_ || count < 1 || !index_->accepts (query))
@@ -101,11 +99,10 @@ PointTree::nearest (const float* query,
   set.copy (indices.data(), distances.data(), wanted);
   for (std::size_t i = 0; i < wanted; ++i)
     found.push_back ({static_cast<int> (indices[i]), distances[i]});
-  std::sort (
-      found.begin(), found.end(), [] (const FoundPoint& a, const FoundPoint& b) {
-        return std::tie (a.squared_distance, a.index) <
-               std::tie (b.squared_distance, b.index);
-      });
+  std::sort (found.begin(), found.end(), [] (const FoundPoint& a, const FoundPoint& b) {
+    return std::tie (a.squared_distance, a.index) <
+           std::tie (b.squared_distance, b.index);
+  });
 }
 
 } // namespace pcl_msf

@@ -15,11 +15,11 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kNeighbors = 12;    // of a point, for its normal and the graph
-constexpr int kNear = 4;          // of these, for the spacing
-constexpr float kReach = 4.0f;    // an edge's length, in spacings of its ends
-constexpr float kFacing = -0.35f; // cosine between the normals of an edge's ends
-constexpr float kSteep = 0.9f;    // sine between an edge and its ends' planes
+constexpr int kNeighbors = 12;     // of a point, for its normal and the graph
+constexpr int kNear = 4;           // of these, for the spacing
+constexpr float kReach = 4.0f;     // an edge's length, in spacings of its ends
+constexpr float kFacing = -0.35f;  // cosine between the normals of an edge's ends
+constexpr float kSteep = 0.9f;     // sine between an edge and its ends' planes
 constexpr float kBorderGap = 2.2f; // radians without neighbours
 constexpr int kSmallPiece = 12;    // points; smaller ones hang on to the next piece
 
@@ -123,9 +123,9 @@ tieSpecks (const Surface& surface,
     if (sizes[piece[i]] < kSmallPiece)
       for (const FoundPoint& f : neighbors[i])
         if (piece[f.index] < piece[i]) // a larger one, or one before it
-          best[piece[i]] = std::min (best[piece[i]],
-                                     {f.squared_distance,
-                                      {std::min (i, f.index), std::max (i, f.index)}});
+          best[piece[i]] = std::min (
+              best[piece[i]],
+              {f.squared_distance, {std::min (i, f.index), std::max (i, f.index)}});
   for (const auto& [distance, pair] : best)
     if (pair.first >= 0)
       pairs.push_back (pair);
@@ -186,9 +186,9 @@ thinSurface (const Surface& surface, const std::vector<int>& chosen, int threads
 std::vector<char>
 onSurface (const std::vector<Eigen::Vector3f>& points, int threads)
 {
-  constexpr float far = 5.0f;       // spacings: alone
-  constexpr float loose = 2.2f;     // spacings: alone unless its neighbours lie flat
-  constexpr float roughness = 0.1f; // share of the smallest eigenvalue
+  constexpr float far = 5.0f;   // spacings: alone
+  constexpr float loose = 2.2f; // spacings: alone unless its neighbours lie flat
+  constexpr float flat = 0.35f; // of its spacing: across its neighbours' plane
   const PointTree tree (points);
   const Neighbors neighbors = findNeighbors (points, tree, threads);
   std::vector<float> spacing;
@@ -199,8 +199,10 @@ onSurface (const std::vector<Eigen::Vector3f>& points, int threads)
   parallelFor (threads, static_cast<int> (points.size()), 256, [&] (int i) {
     if (spacing[i] > far * median)
       kept[i] = 0;
-    else if (spacing[i] > loose * median)
-      kept[i] = localRoughness (points, i, neighbors[i]) < roughness;
+    else if (spacing[i] > loose * median) {
+      const PlaneFit plane = fitNeighbors (points, i, neighbors[i]);
+      kept[i] = std::max (plane.offset, plane.roughness) < flat * spacing[i];
+    }
   });
   return kept;
 }

@@ -60,6 +60,16 @@ bothWays (const Neighbors& neighbors)
   return lists;
 }
 
+/** Does a step lead through a gap or a thin part, along both normals? */
+bool
+leapsOff (const Points& points, const Points& normals, int a, int b)
+{
+  constexpr float steep = 0.8f; // cosine
+  const Eigen::Vector3f edge = (points[b] - points[a]).normalized();
+  return std::abs (edge.dot (normals[a])) > steep &&
+         std::abs (edge.dot (normals[b])) > steep;
+}
+
 /** Turns a piece's normals to one side, going from the surest neighbour to the next. */
 void
 turnPiece (int first,
@@ -82,7 +92,7 @@ turnPiece (int first,
     if (normals[to].dot (normals[from]) < 0.0f)
       normals[to] = -normals[to];
     for (const int next : lists[to])
-      if (!done[next])
+      if (!done[next] && !leapsOff (points, normals, to, next))
         queue.push ({doubt (points, normals, to, next), next, to});
   }
 }
@@ -100,7 +110,8 @@ turnOutwards (const Points& points,
   center /= static_cast<double> (piece.size());
   double volume = 0.0;
   for (const int i : piece) {
-    const double area = neighbors[i].empty() ? 0.0 : neighbors[i].back().squared_distance;
+    const double area =
+        neighbors[i].empty() ? 0.0 : neighbors[i].back().squared_distance;
     volume += area * normals[i].cast<double>().dot (points[i].cast<double>() - center);
   }
   if (volume < 0.0)
@@ -133,11 +144,23 @@ surfaceNormals (const Points& points, const Neighbors& neighbors, int threads)
   return normals;
 }
 
-float
-localRoughness (const Points& points, int point, const std::vector<FoundPoint>& neighbors)
+PlaneFit
+fitNeighbors (const Points& points, int point, const std::vector<FoundPoint>& neighbors)
 {
-  return static_cast<float> (
-      std::max (0.0, localScatter (points, point, neighbors).eigenvalues()[0]));
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const FoundPoint& f : neighbors)
+    mean += points[f.index].cast<double>();
+  mean /= std::max<std::size_t> (1, neighbors.size());
+  Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
+  for (const FoundPoint& f : neighbors) {
+    const Eigen::Vector3d d = points[f.index].cast<double>() - mean;
+    scatter += d * d.transpose();
+  }
+  scatter /= std::max<std::size_t> (1, neighbors.size());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen (scatter);
+  const Eigen::Vector3d d = points[point].cast<double>() - mean;
+  return {static_cast<float> (std::abs (eigen.eigenvectors().col (0).dot (d))),
+          static_cast<float> (std::sqrt (std::max (0.0, eigen.eigenvalues()[0])))};
 }
 
 } // namespace pcl_msf

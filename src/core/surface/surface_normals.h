@@ -15,11 +15,16 @@ surfaceNormals (const std::vector<Eigen::Vector3f>& points,
                 const std::vector<std::vector<FoundPoint>>& neighbors,
                 int threads);
 
-/** \brief Share of the scatter of a point's neighbourhood across its plane, [0, 1/3].
- */
-float
-localRoughness (const std::vector<Eigen::Vector3f>& points,
-                int point,
-                const std::vector<FoundPoint>& neighbors);
+/** \brief How far a point is from the plane of its neighbours, and how far these are
+ * from it themselves (one deviation). */
+struct PlaneFit {
+  float offset{0.0f};
+  float roughness{0.0f};
+};
+
+PlaneFit
+fitNeighbors (const std::vector<Eigen::Vector3f>& points,
+              int point,
+              const std::vector<FoundPoint>& neighbors);
 
 } // namespace pcl_msf

@@ -27,22 +27,23 @@ struct Type {
 std::optional<Type>
 typeOf (const std::string& name)
 {
-  static const std::array<std::pair<const char*, Type>, 16> types{{{"char", {'i', 1}},
-                                                                   {"int8", {'i', 1}},
-                                                                   {"uchar", {'u', 1}},
-                                                                   {"uint8", {'u', 1}},
-                                                                   {"short", {'i', 2}},
-                                                                   {"int16", {'i', 2}},
-                                                                   {"ushort", {'u', 2}},
-                                                                   {"uint16", {'u', 2}},
-                                                                   {"int", {'i', 4}},
-                                                                   {"int32", {'i', 4}},
-                                                                   {"uint", {'u', 4}},
-                                                                   {"uint32", {'u', 4}},
-                                                                   {"float", {'f', 4}},
-                                                                   {"float32", {'f', 4}},
-                                                                   {"double", {'f', 8}},
-                                                                   {"float64", {'f', 8}}}};
+  static const std::array<std::pair<const char*, Type>, 16> types{
+      {{"char", {'i', 1}},
+       {"int8", {'i', 1}},
+       {"uchar", {'u', 1}},
+       {"uint8", {'u', 1}},
+       {"short", {'i', 2}},
+       {"int16", {'i', 2}},
+       {"ushort", {'u', 2}},
+       {"uint16", {'u', 2}},
+       {"int", {'i', 4}},
+       {"int32", {'i', 4}},
+       {"uint", {'u', 4}},
+       {"uint32", {'u', 4}},
+       {"float", {'f', 4}},
+       {"float32", {'f', 4}},
+       {"double", {'f', 8}},
+       {"float64", {'f', 8}}}};
   for (const auto& [text, type] : types)
     if (name == text)
       return type;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include <pcl_msf/io/point_files.h>
-
 #include "core/base/number_text.h"
-#include "io/formats/cloud_fields.h"
 #include "io/base/input_file.h"
 #include "io/base/output_file.h"
+#include "io/formats/cloud_fields.h"
 #include "io/formats/pcd_blob.h"
 #include "io/formats/ply_reader.h"
 #include <pcl_msf/errors.h>
+#include <pcl_msf/io/point_files.h>
 
 #include <cmath>
 #include <cstring>

@@ -107,10 +107,19 @@ const BadInput bad_inputs[] = {
      [] (Registration& r, auto&) { r.setInputTarget (cloudOf (0, 0, 1.0f)); }},
     {"UnorganizedSource",
      "setKeepOrganized",
-     [] (Registration& r, auto&) { r.setInputSource (cloudOf (160 * 120, 1, 1.0f)); }},
+     [] (Registration& r, auto&) {
+       r.setCorrespondence (CorrespondenceMethod::Projective);
+       r.setInputSource (cloudOf (160 * 120, 1, 1.0f));
+     }},
     {"UnorganizedTarget",
      "setKeepOrganized",
-     [] (Registration& r, auto&) { r.setInputTarget (cloudOf (160 * 120, 1, 1.0f)); }},
+     [] (Registration& r, auto&) {
+       r.setCorrespondence (CorrespondenceMethod::Projective);
+       r.setInputTarget (cloudOf (160 * 120, 1, 1.0f));
+     }},
+    {"NoSurface", // all points at one place
+     "give a surface",
+     [] (Registration& r, auto&) { r.setInputSource (cloudOf (160 * 120, 1, 1.0f)); }},
     {"OtherSize",
      "clouds of one size",
      [] (Registration& r, auto&) { r.setInputTarget (cloudOf (80, 60, 1.0f)); }},

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <pcl/common/point_tests.h>
+#include <pcl/point_cloud.h>
+#include <pcl/types.h>
+
+#include <opencv2/core.hpp>
+
+#include <pcl_msf/cloud_flow.h>
+#include <pcl_msf/multiframe_scene_flow.h>
+#include <pcl_msf/parameters.h>
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+/* What PiecewiseRigidRegistration does with clouds that have no grid: compiled once,
+ * not part of the public interface. */
+namespace pcl_msf {
+namespace detail {
+
+/** CV_32FC3 of a cloud of any shape; NaN = no point. */
+template <typename PointT>
+cv::Mat
+allPoints (const pcl::PointCloud<PointT>& cloud)
+{
+  const bool shaped =
+      static_cast<std::size_t> (cloud.width) * cloud.height == cloud.size();
+  cv::Mat image (shaped ? static_cast<int> (cloud.height) : 1,
+                 static_cast<int> (shaped ? cloud.width : cloud.size()),
+                 CV_32FC3);
+  auto* points = image.ptr<cv::Vec3f> (0);
+  for (const PointT& p : cloud)
+    *points++ = pcl::isXYZFinite (p)
+                    ? cv::Vec3f (p.x, p.y, p.z)
+                    : cv::Vec3f::all (std::numeric_limits<float>::quiet_NaN());
+  return image;
+}
+
+/** A CloudFlow as the results of a window of two frames, each point a pixel of an image
+ * of the cloud's width and height; parts are the segments. */
+struct NeighborRegistration {
+  MultiframeSceneFlow flow;
+  std::vector<CloudJoint> joints;
+  std::vector<int> target; ///< per source point, -1 = none
+};
+
+/** \param source, target CV_32FC3, NaN = no point
+ * \param points of the source that take part \throws InvalidInput naming the remedy */
+NeighborRegistration
+registerByNeighbors (const cv::Mat& source,
+                     const cv::Mat& target,
+                     const pcl::Indices& points,
+                     const SolverParameters& solver,
+                     const RigidPose& start);
+
+} // namespace detail
+} // namespace pcl_msf
