@@ -87,7 +87,8 @@ TEST (Datasets, ADepthScaleCountsOrIsRefused)
   EXPECT_FLOAT_EQ (scaled.at<float> (40, 40), metres.at<float> (40, 40) / 500.0F);
   written.layout = SequenceLayout::Sintel;
   writeSequence (smallSequence(), folder ("training"), written);
-  for (const DatasetKind kind : {DatasetKind::Sintel, DatasetKind::Automatic})
+  for (const io::DatasetKind kind :
+       {io::DatasetKind::Sintel, io::DatasetKind::Automatic})
     try {
       openDataset (kind, folder ("training"), options);
       ADD_FAILURE() << static_cast<int> (kind);
