@@ -13,7 +13,7 @@ pcl_msf_require (Eigen3 libeigen3-dev)
 pcl_msf_require (PCL libpcl-dev COMPONENTS common kdtree search)
 pcl_msf_require (Ceres libceres-dev)
 pcl_msf_require (Threads libc6-dev)
-pcl_msf_require (OpenCV libopencv-dev COMPONENTS core imgproc video imgcodecs
+pcl_msf_require (OpenCV libopencv-dev COMPONENTS core features2d imgproc video imgcodecs
   OPTIONAL_COMPONENTS ximgproc optflow)
 # Header-only, and seen by the project's own sources alone.
 pcl_msf_require (nlohmann_json nlohmann-json3-dev)

@@ -26,7 +26,7 @@ install (FILES
 
 # A static library does not bring its own dependencies along: pkg-config has to name
 # them in Libs, a shared one keeps them private.
-set (pc_dependencies "-lopencv_video -lopencv_imgproc -lceres -lglog -lpcl_features \
+set (pc_dependencies "-lopencv_features2d -lopencv_video -lopencv_imgproc -lceres -lglog -lpcl_features \
 -pthread")
 if (PCL_MSF_XIMGPROC)
   string (PREPEND pc_dependencies "-lopencv_ximgproc ")

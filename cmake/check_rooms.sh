@@ -12,7 +12,7 @@
 set -euo pipefail
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
 
-core="base,frame,motion,segments,window,data,energy,start bodies result,solve,pcl"
+core="base,frame,motion,surface,segments,window,data,energy,points,start bodies result,solve,pcl"
 io="base,formats,figures results datasets,page"
 
 includes () { # FILE:INCLUDED of all quoted includes and of our public headers

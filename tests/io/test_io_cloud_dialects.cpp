@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <pcl/io/pcd_io.h>
+#include <pcl/point_types.h>
 
 #include "support/expect_io_error.h"
 #include "support/temporary_folder.h"

@@ -46,6 +46,21 @@ expectUsageError (const std::string& line, const std::string& start)
   }
 }
 
+TEST (SceneFlowOptions, WritesWhatIsAskedFor)
+{
+  EXPECT_EQ (parse (kImages).outputs.size(), 7u);
+  const Options some = parse (kImages + "--outputs flow,cloud");
+  EXPECT_TRUE (some.wants (Output::Flow) && some.wants (Output::Cloud));
+  for (const Output other : {Output::Warped,
+                             Output::Visibility,
+                             Output::Labels,
+                             Output::Poses,
+                             Output::Pictures})
+    EXPECT_FALSE (some.wants (other));
+  for (const char* wrong : {",", "flo", "flow;cloud"})
+    expectUsageError (kImages + "--outputs " + wrong, "--outputs: ");
+}
+
 TEST (SceneFlowOptions, TakesTheContractsLine)
 {
   const Options o = parse (kImages + "--depth-scale 5000");

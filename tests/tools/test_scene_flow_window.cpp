@@ -319,7 +319,7 @@ TEST_F (SceneFlowWindow, RefusesInOneLine)
   refused (folder + " --reference 3", "--reference");
   refused (folder + " --track --reference 1", "--track");
   refused (folder + " --track --window 17", "--window");
-  refused (folder + folder, "not an option");
+  refused (folder + folder, "one word too many");
   refused (folder + " --depth x", "not together");
   refused (" " + folder_ ("nowhere"), "nowhere");
   std::filesystem::remove (folder_ ("case/depth_1.png"));

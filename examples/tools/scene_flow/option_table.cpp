@@ -42,6 +42,17 @@ addInputOptions (CLI::App& app, Options& o)
            o.labels);
   addText (
       app, "--output", "DIR", "folder for the results, made when missing", o.output);
+  addWords<Output> (app,
+                    "--outputs",
+                    "what is written beside the report",
+                    o.outputs,
+                    {{"flow", Output::Flow},
+                     {"cloud", Output::Cloud},
+                     {"warped", Output::Warped},
+                     {"visibility", Output::Visibility},
+                     {"labels", Output::Labels},
+                     {"poses", Output::Poses},
+                     {"pictures", Output::Pictures}});
   addNumber (
       app, "--flow-max", "PX", "flow of full colour, 0 = automatic", o.flow_maximum)
       ->check (atLeast (0));

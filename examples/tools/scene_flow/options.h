@@ -7,11 +7,23 @@
 #include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/pinhole_camera.h>
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace pcl_msf::tool {
+
+/** \brief Kinds of files that are written; the report always is. */
+enum class Output {
+  Flow,       ///< flow_A_B.flo
+  Cloud,      ///< scene_flow_A_B.pcd
+  Warped,     ///< warped_A_B.pcd
+  Visibility, ///< visibility_A_B.png and visible_A_B.png
+  Labels,     ///< labels_A.png and bodies_A.png
+  Poses,      ///< of windows of more than two frames: poses_A.yaml and .json
+  Pictures    ///< everything that is there to be looked at
+};
 
 /** \brief Everything that the command line says. */
 struct Options : MethodSettings {
@@ -27,8 +39,15 @@ struct Options : MethodSettings {
   std::optional<double> depth_scale; ///< units per metre
   double max_time_difference{0.02};  ///< of images that a recording pairs, seconds
   std::string output;                ///< folder; empty with a sequence = named after it
-  std::string labels;                ///< label image in place of the segmentation
-  double flow_maximum{0.0};          ///< of the flow colours, pixels; 0 = automatic
+  std::vector<Output> outputs{Output::Flow,
+                              Output::Cloud,
+                              Output::Warped,
+                              Output::Visibility,
+                              Output::Labels,
+                              Output::Poses,
+                              Output::Pictures};
+  std::string labels;       ///< label image in place of the segmentation
+  double flow_maximum{0.0}; ///< of the flow colours, pixels; 0 = automatic
   Shard shard;
   bool shard_given{false};
   bool merge{false};    ///< of the shards in `output`
@@ -41,6 +60,12 @@ struct Options : MethodSettings {
   sharded () const
   {
     return shard_given;
+  }
+
+  bool
+  wants (Output output) const
+  {
+    return std::find (outputs.begin(), outputs.end(), output) != outputs.end();
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include "common/interruption.h"
 #include "common/option_values.h"
+#include "core/base/parallel_for.h"
 #include "pictures.h"
 #include <pcl_msf/io/float_files.h>
 #include <pcl_msf/io/images.h>
@@ -12,46 +13,71 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <regex>
 #include <string>
+#include <vector>
 
 namespace pcl_msf::tool {
 
 namespace {
 
+using Jobs = std::vector<std::function<void()>>;
+
+/** \param folder must outlive the jobs, as the outcome */
 void
-writeData (const Outcome& o, int frame, const std::filesystem::path& folder)
+addData (const Outcome& o,
+         int frame,
+         const Options& options,
+         const std::filesystem::path& folder,
+         Jobs& jobs)
 {
   const SceneFlow& flow = o.result.frames[frame];
   const io::RgbdImages& reference = o.images[o.result.reference];
   const std::string pair = pairName (o, frame);
-  const auto path = [&] (const std::string& name, const char* type) {
+  const auto path = [folder, pair] (const std::string& name, const char* type) {
     return (folder / (name + pair + type)).string();
   };
-  io::writeFlow (path ("flow", ".flo"), flow.flow);
-  io::writeImage (path ("visibility", ".png"), flow.visibility);
-  io::writeImage (path ("visible", ".png"), io::visibilityMask (flow.visibility));
-  throwIfInterrupted();
-  io::writeSceneFlowCloud (
-      path ("scene_flow", ".pcd"), flow, reference.color, reference.viewpoint);
-  throwIfInterrupted();
-  io::writeWarpedCloud (
-      path ("warped", ".pcd"), flow, reference.color, reference.viewpoint);
+  if (options.wants (Output::Cloud))
+    jobs.push_back ([=, &flow, &reference] {
+      io::writeSceneFlowCloud (
+          path ("scene_flow", ".pcd"), flow, reference.color, reference.viewpoint);
+    });
+  if (options.wants (Output::Warped))
+    jobs.push_back ([=, &flow, &reference] {
+      io::writeWarpedCloud (
+          path ("warped", ".pcd"), flow, reference.color, reference.viewpoint);
+    });
+  if (options.wants (Output::Flow))
+    jobs.push_back ([=, &flow] { io::writeFlow (path ("flow", ".flo"), flow.flow); });
+  if (options.wants (Output::Visibility))
+    jobs.push_back ([=, &flow] {
+      io::writeImage (path ("visibility", ".png"), flow.visibility);
+      io::writeImage (path ("visible", ".png"), io::visibilityMask (flow.visibility));
+    });
 }
 
 /** What belongs to the window as a whole. */
 void
-writeWindow (const Outcome& o, const std::filesystem::path& folder)
+addWindow (const Outcome& o,
+           const Options& options,
+           const std::filesystem::path& folder,
+           Jobs& jobs)
 {
   const std::string reference = std::to_string (o.reference());
-  io::writeLabels ((folder / ("labels_" + reference + ".png")).string(),
-                   o.lastFlow().labels);
-  io::writeLabels ((folder / ("bodies_" + reference + ".png")).string(),
-                   io::bodyImage (o.lastFlow()));
-  if (o.result.frames.size() > 2)
+  if (options.wants (Output::Labels))
+    jobs.push_back ([=, &o] {
+      io::writeLabels ((folder / ("labels_" + reference + ".png")).string(),
+                       o.lastFlow().labels);
+      io::writeLabels ((folder / ("bodies_" + reference + ".png")).string(),
+                       io::bodyImage (o.lastFlow()));
+    });
+  if (options.wants (Output::Poses) && o.result.frames.size() > 2)
     for (const char* type : {".yaml", ".json"})
-      io::writePoses (
-          (folder / ("poses_" + reference + type)).string(), o.result, o.indices);
+      jobs.push_back ([=, &o] {
+        io::writePoses (
+            (folder / ("poses_" + reference + type)).string(), o.result, o.indices);
+      });
 }
 
 } // namespace
@@ -69,12 +95,21 @@ writeOutcome (Outcome& outcome, const Options& options)
   const auto begin = std::chrono::steady_clock::now();
   const std::filesystem::path folder = options.output;
   const int count = static_cast<int> (outcome.result.frames.size());
-  writeWindow (outcome, folder);
+  Jobs jobs;
+  addWindow (outcome, options, folder, jobs);
   for (int k = outcome.first_new; k < count; ++k)
-    if (k != outcome.result.reference) {
-      writeData (outcome, k, folder);
+    if (k != outcome.result.reference)
+      addData (outcome, k, options, folder, jobs);
+  parallelFor (threadCount (options.solver.threads),
+               static_cast<int> (jobs.size()),
+               1,
+               [&jobs] (int i) {
+                 throwIfInterrupted();
+                 jobs[i]();
+               });
+  for (int k = outcome.first_new; k < count && options.wants (Output::Pictures); ++k)
+    if (k != outcome.result.reference)
       writePictures (outcome, k, options);
-    }
   const std::chrono::duration<double> seconds =
       std::chrono::steady_clock::now() - begin;
   outcome.seconds.write = seconds.count();

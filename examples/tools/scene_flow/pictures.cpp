@@ -3,6 +3,7 @@
 #include "pictures.h"
 
 #include "common/interruption.h"
+#include "core/base/parallel_for.h"
 #include "output.h"
 #include <pcl_msf/io/figures.h>
 #include <pcl_msf/io/flow_color.h>
@@ -11,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
+#include <future>
 #include <iomanip>
 #include <sstream>
 
@@ -21,38 +24,68 @@ namespace {
 constexpr int kPlotWidth = 640;
 constexpr int kPlotHeight = 480;
 
-/** Writes pictures into a folder and keeps those for the overview. */
+/** Pictures that are made, then written, each at once with others, and the overview of
+ * them. */
 class Album {
 public:
-  explicit Album (const std::filesystem::path& folder) : folder_ (folder) {}
+  using Make = std::function<cv::Mat()>;
 
+  Album (const std::filesystem::path& folder, int threads)
+  : folder_ (folder), threads_ (threads)
+  {}
+
+  /** \param name of its file, empty = only in the overview \param label in the
+   * overview, empty = not there */
   void
-  write (const std::string& name, const cv::Mat& picture) const
+  add (const std::string& name, const std::string& label, const Make& make)
   {
-    throwIfInterrupted();
-    io::writeImage ((folder_ / name).string(), picture);
+    entries_.push_back ({name, {label, {}}, make});
   }
   void
-  show (const std::string& label, const cv::Mat& picture)
+  make ()
   {
-    if (!picture.empty())
-      pictures_.push_back ({label, picture});
+    forEach ([] (Entry& entry) { entry.shown.picture = entry.make(); });
   }
   void
-  add (const std::string& name, const std::string& label, const cv::Mat& picture)
+  addOverview (const std::string& name)
   {
-    write (name, picture);
-    show (label, picture);
+    std::vector<io::LabelledPicture> shown;
+    for (const Entry& entry : entries_)
+      if (!entry.shown.label.empty() && !entry.shown.picture.empty())
+        shown.push_back (entry.shown);
+    // First, as it takes longest.
+    entries_.insert (entries_.begin(),
+                     {name, {"", io::contactSheet (shown, 4, 480)}, {}});
   }
   void
-  writeOverview (const std::string& name) const
+  write ()
   {
-    write (name, io::contactSheet (pictures_, 4, 480));
+    forEach ([this] (Entry& entry) {
+      if (!entry.name.empty())
+        io::writeImage ((folder_ / entry.name).string(), entry.shown.picture);
+    });
   }
 
 private:
+  struct Entry {
+    std::string name;
+    io::LabelledPicture shown;
+    Make make;
+  };
+
+  template <typename F>
+  void
+  forEach (const F& f)
+  {
+    parallelFor (threads_, static_cast<int> (entries_.size()), 1, [&] (int i) {
+      throwIfInterrupted();
+      f (entries_[i]);
+    });
+  }
+
   std::filesystem::path folder_;
-  std::vector<io::LabelledPicture> pictures_;
+  int threads_;
+  std::vector<Entry> entries_;
 };
 
 /** The reference, a frame of the window, and the motion between them. */
@@ -90,25 +123,44 @@ void
 addFlow (Album& album, const std::string& name, const cv::Mat& flow, double maximum)
 {
   const double full = maximum > 0.0 ? maximum : io::flowLength (flow, 0.99);
-  const cv::Mat colors = io::flowColors (flow, full);
-  album.write (name, colors);
+  album.add (name, "", [&flow, full] { return io::flowColors (flow, full); });
   std::ostringstream label;
   label << "optical flow, full colour " << std::setprecision (3) << full << " px";
-  album.show (label.str(), io::flowPicture (flow, full));
+  album.add ("", label.str(), [&flow, full] { return io::flowPicture (flow, full); });
 }
 
 /** Both frames over each other, and as a pair to be shown in turn. */
 void
-addOverlays (Album& album, const Outcome& o, const Scene& s, int frame)
+addOverlays (Album& album, const std::string& pair, const Scene& s)
 {
-  const std::string pair = pairName (o, frame);
-  album.show ("both frames before",
-              io::tintedOverlay (s.reference.color, s.current.color));
-  album.add ("overlay" + pair + ".png", "both frames after", overlayAfter (s));
-  const io::FlickerPair flicker =
-      io::flickerPair (s.reference.color, s.current.color, s.flow.flow);
-  album.write ("flicker" + pair + "_before.png", flicker.before);
-  album.write ("flicker" + pair + "_after.png", flicker.after);
+  const cv::Mat& before = s.reference.color;
+  const cv::Mat& after = s.current.color;
+  album.add (
+      "", "both frames before", [&] { return io::tintedOverlay (before, after); });
+  album.add (
+      "overlay" + pair + ".png", "both frames after", [&] { return overlayAfter (s); });
+  const auto flicker = std::async (std::launch::deferred, [&] {
+                         return io::flickerPair (before, after, s.flow.flow);
+                       }).share();
+  album.add (
+      "flicker" + pair + "_before.png", "", [=] { return flicker.get().before; });
+  album.add ("flicker" + pair + "_after.png", "", [=] { return flicker.get().after; });
+}
+
+/** What the solve found about the segments. */
+void
+addSegments (Album& album, const std::string& reference, const Scene& s)
+{
+  const cv::Mat& color = s.reference.color;
+  album.add ("segments" + reference + ".png",
+             std::to_string (s.flow.segments.size()) + " segments",
+             [&] { return io::segmentOverlay (color, s.flow.labels); });
+  album.add ("motions" + reference + ".png",
+             std::to_string (s.flow.bodies) + " motion groups",
+             [&] { return io::motionOverlay (color, s.flow); });
+  album.add ("weights" + reference + ".png", "connections of segments", [&] {
+    return io::weightsPicture (color, s.flow);
+  });
 }
 
 } // namespace
@@ -118,34 +170,29 @@ writePictures (const Outcome& o, int frame, const Options& options)
 {
   const Scene s{o.result.frames[frame], o.images[o.result.reference], o.images[frame]};
   const std::string reference = "_" + std::to_string (o.reference());
-  const std::string pair = pairName (o, frame) + ".png";
-  Album album (options.output);
-  album.show ("reference", s.reference.color);
-  album.show ("current", s.current.color);
+  const std::string pair = pairName (o, frame);
+  Album album (options.output, threadCount (options.solver.threads));
+  album.add ("", "reference", [&] { return s.reference.color; });
+  album.add ("", "current", [&] { return s.current.color; });
   album.add ("range" + reference + ".png", // "depth" would name a recording's
              "depth of the reference",
-             io::depthPicture (s.reference.depth));
-  album.add ("segments" + reference + ".png",
-             std::to_string (s.flow.segments.size()) + " segments",
-             io::segmentOverlay (s.reference.color, s.flow.labels));
-  addFlow (album, "flow" + pair, s.flow.flow, options.flow_maximum);
-  album.add ("motions" + reference + ".png",
-             std::to_string (s.flow.bodies) + " motion groups",
-             io::motionOverlay (s.reference.color, s.flow));
-  album.add ("occlusion" + pair,
-             "visibility",
-             io::visibilityPicture (s.reference.color, s.flow.visibility));
-  album.add ("weights" + reference + ".png",
-             "connections of segments",
-             io::weightsPicture (s.reference.color, s.flow));
-  album.add ("residual" + pair, "residual", residualPicture (s));
+             [&] { return io::depthPicture (s.reference.depth); });
+  addFlow (album, "flow" + pair + ".png", s.flow.flow, options.flow_maximum);
+  addSegments (album, reference, s);
+  album.add ("occlusion" + pair + ".png", "visibility", [&] {
+    return io::visibilityPicture (s.reference.color, s.flow.visibility);
+  });
+  album.add (
+      "residual" + pair + ".png", "residual", [&] { return residualPicture (s); });
   if (!s.reference.color.empty())
-    addOverlays (album, o, s, frame);
-  album.add ("convergence" + reference + ".png",
-             "convergence",
-             io::convergencePlot (s.flow.report, {kPlotWidth, kPlotHeight}));
+    addOverlays (album, pair, s);
+  album.add ("convergence" + reference + ".png", "convergence", [&] {
+    return io::convergencePlot (s.flow.report, {kPlotWidth, kPlotHeight});
+  });
+  album.make();
   if (frame == o.lastTarget())
-    album.writeOverview ("overview" + reference + ".png");
+    album.addOverview ("overview" + reference + ".png");
+  album.write();
 }
 
 } // namespace pcl_msf::tool

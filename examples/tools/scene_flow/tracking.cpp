@@ -4,7 +4,7 @@
 
 #include "common/interruption.h"
 #include "common/stop_watch.h"
-#include "progress_line.h"
+#include "common/progress_line.h"
 #include <pcl_msf/errors.h>
 
 #include <string>

@@ -180,8 +180,10 @@ Assignment::mapClaims (int threads)
   for (const PairTerms& pair : asked_)
     motions_.push_back (state_.ofPair (pair.pair));
   claims_.resize (pairs);
-  parallelFor (threads, pairs, 1, [&] (int i) {
-    claims_[i] = std::make_unique<ClaimMap> (*asked_[i].all, motions_[i]);
+  const bool many = pairs > 1; // else threads share a pair's segments
+  parallelFor (many ? threads : 1, pairs, 1, [&] (int i) {
+    claims_[i] =
+        std::make_unique<ClaimMap> (*asked_[i].all, motions_[i], many ? 1 : threads);
   });
 }
 

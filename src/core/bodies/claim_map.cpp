@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "core/base/parallel_for.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -70,7 +72,7 @@ private:
 
 } // namespace
 
-ClaimMap::ClaimMap (const DataTerm& data, const MotionState& state)
+ClaimMap::ClaimMap (const DataTerm& data, const MotionState& state, int threads)
 : state_ (state)
 , points_ (state.poses.size(), 0)
 , columns_ (data.image().width / kCell + 1)
@@ -79,13 +81,18 @@ ClaimMap::ClaimMap (const DataTerm& data, const MotionState& state)
   const SegmentPixels& p = data.pixels();
   for (int k = 0; k < p.segments(); ++k)
     points_[state.body_of[k]] += p.size (k);
-  for (int k = 0; k < p.segments(); ++k) {
+  std::vector<std::vector<int>> cells (p.segments()); // that each wants
+  parallelFor (threads, p.segments(), 8, [&] (int k) {
     Landing landing (data, state.poseOf (k));
     const int step = std::max (1, p.size (k) / kClaimsPerSegment);
+    cells[k].reserve (p.size (k) / step + 1);
     for (int i = p.begin[k]; i < p.begin[k + 1]; i += step)
       if (landing.onSurface (i) && landing.alike (i))
-        claim (k, cellOf (landing.place()));
-  }
+        cells[k].push_back (cellOf (landing.place()));
+  });
+  for (int k = 0; k < p.segments(); ++k)
+    for (const int cell : cells[k])
+      claim (k, cell);
 }
 
 int

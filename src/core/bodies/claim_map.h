@@ -22,7 +22,7 @@ class ClaimMap {
 public:
   /** \param data its points make the claims, at the state's poses: those that lie on
    * the current frame's surface and look like it */
-  ClaimMap (const DataTerm& data, const MotionState& state);
+  ClaimMap (const DataTerm& data, const MotionState& state, int threads = 1);
 
   /** \brief Share of a segment's points that would land, with a body's pose, where
    * another segment of another and larger body claims to be. \param sample points of

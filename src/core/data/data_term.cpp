@@ -17,13 +17,15 @@ constexpr double kNoDepth = 3.0;
 constexpr double kOccludedPoint = 2.5;
 constexpr double kOutOfView = 2.0;
 
+/** \param r rotation of the pose */
 kernel::Motion
 kernelMotion (const RigidPose& pose,
+              const Eigen::Matrix3d& r,
               const RigidPose& frozen,
               const Eigen::Vector3d& centroid)
 {
-  const Eigen::Matrix3d r = pose.rotation();
-  const Eigen::Matrix3d n = frozen.rotation();
+  const Eigen::Matrix3d n =
+      frozen.parameters == pose.parameters ? r : frozen.rotation();
   const Eigen::Vector3d t = pose.translation();
   const Eigen::Vector3d o = r * centroid + t;
   kernel::Motion m{};
@@ -42,6 +44,7 @@ kernelMotion (const RigidPose& pose,
 void
 toPoseParameters (const kernel::Sums& sums,
                   const RigidPose& pose,
+                  const Eigen::Matrix3d& rotation,
                   const Eigen::Vector3d& centroid,
                   SegmentQuadratic& out)
 {
@@ -55,7 +58,7 @@ toPoseParameters (const kernel::Sums& sums,
       leftJacobian ({pose.parameters[0], pose.parameters[1], pose.parameters[2]});
   Matrix6 basis = Matrix6::Identity();
   basis.topLeftCorner<3, 3>() = j;
-  basis.bottomLeftCorner<3, 3>() = -skew (pose.rotation() * centroid) * j;
+  basis.bottomLeftCorner<3, 3>() = -skew (rotation * centroid) * j;
   out.information = basis.transpose() * a * basis;
   out.gradient = basis.transpose() * b;
 }
@@ -176,7 +179,9 @@ DataTerm::evaluate (int k, const RigidPose& pose, Pass pass)
   holds_[k] = renew;
   if (renew)
     frozen_[k] = pose;
-  const kernel::Motion motion = kernelMotion (pose, frozen_[k], pixels_.centroid[k]);
+  const Eigen::Matrix3d rotation = pose.rotation();
+  const kernel::Motion motion =
+      kernelMotion (pose, rotation, frozen_[k], pixels_.centroid[k]);
   const int at = pixels_.begin[k];
   const kernel::Correspondences state{plane_offset_.data() + at, active_.data() + at};
   kernel::Sums sums{};
@@ -193,7 +198,7 @@ DataTerm::evaluate (int k, const RigidPose& pose, Pass pass)
   out.brightness_cost = sums.brightness_cost;
   out.icp_cost = sums.icp_cost;
   if (pass != Pass::Cost)
-    toPoseParameters (sums, pose, pixels_.centroid[k], out);
+    toPoseParameters (sums, pose, rotation, pixels_.centroid[k], out);
 }
 
 void
@@ -208,8 +213,9 @@ DataTerm::Probe
 DataTerm::probe (int k, const RigidPose& pose) const
 {
   kernel::Sums sums{};
-  kernel::chosenKernel().probe (
-      points (k), image_, kernelMotion (pose, pose, pixels_.centroid[k]), rules_, sums);
+  const kernel::Motion motion =
+      kernelMotion (pose, pose.rotation(), pose, pixels_.centroid[k]);
+  kernel::chosenKernel().probe (points (k), image_, motion, rules_, sums);
   Probe result;
   result.cost = sums.brightness_cost + sums.icp_cost;
   result.weight = totalWeight (k);

@@ -8,14 +8,16 @@ CeresProblem::CeresProblem (Energy& energy, WindowState& state)
 : energy_ (energy)
 , state_ (state)
 , blocks_ (energy.level().used().size(), BodyBlocks (state.body_of, state.bodies()))
+, poses_ (state.poses.size())
 {
+  unpackPoses();
   ceres::Problem::Options options;
   options.evaluation_callback = this;
   options.disable_all_safety_checks = true;
   problem_ = std::make_unique<ceres::Problem> (options);
   for (std::size_t i = 0; i < blocks_.size(); ++i)
     blocks_[i].addTo (*problem_, state_.poses[energy_.level().used()[i]]);
-  energy_.addTo (*problem_, state_);
+  energy_.addTo (*problem_, state_, poses_);
 }
 
 void
@@ -28,9 +30,21 @@ CeresProblem::PrepareForEvaluation (bool evaluate_jacobians, bool)
   fill (evaluate_jacobians);
 }
 
+/** In place, as the couplings point to them. */
+void
+CeresProblem::unpackPoses()
+{
+  for (const int p : energy_.level().used()) {
+    poses_[p].resize (state_.poses[p].size());
+    for (std::size_t b = 0; b < poses_[p].size(); ++b)
+      poses_[p][b] = CoupledPose (state_.poses[p][b]);
+  }
+}
+
 void
 CeresProblem::fill (bool with_jacobians)
 {
+  unpackPoses();
   for (std::size_t i = 0; i < blocks_.size(); ++i)
     blocks_[i].fill (energy_.level().data (energy_.level().used()[i]), with_jacobians);
 }

@@ -39,14 +39,19 @@ public:
   }
 
 protected:
-  /** \brief Fills the blocks from the data terms' last sweep. */
+  /** \brief Fills the blocks from the data terms' last sweep, and unpacks the state's
+   * poses for the couplings. */
   void
   fill (bool with_jacobians);
 
 private:
+  void
+  unpackPoses ();
+
   Energy& energy_;
   WindowState& state_;
   std::vector<BodyBlocks> blocks_; ///< per used pair
+  CoupledPoses poses_;             ///< of the state
   std::unique_ptr<ceres::Problem> problem_;
   bool linearized_{false};
 };

@@ -3,7 +3,6 @@
 #include "core/energy/energy.h"
 
 #include "core/energy/body_shapes.h"
-#include "core/energy/pose_coupling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -192,7 +191,9 @@ Energy::presentCost (const WindowState& state) const
 }
 
 void
-Energy::addCouplings (ceres::Problem& problem, WindowState& state) const
+Energy::addCouplings (ceres::Problem& problem,
+                      WindowState& state,
+                      const CoupledPoses& poses) const
 {
   const double share = 1.0 / std::max<std::size_t> (1, scene_.links.size());
   for (std::size_t i = 0; i < scene_.links.size(); ++i) {
@@ -208,7 +209,8 @@ Energy::addCouplings (ceres::Problem& problem, WindowState& state) const
                                 std::sqrt (worth * prior),
                                 unit (link.midpoint.z())};
       problem.AddResidualBlock (
-          new PoseCouplingCost (link, scale, parameters_.pose_difference),
+          new PoseCouplingCost (
+              link, scale, parameters_.pose_difference, &poses[p][j], &poses[p][h]),
           nullptr,
           state.poses[p][j].parameters.data(),
           state.poses[p][h].parameters.data(),
@@ -218,10 +220,12 @@ Energy::addCouplings (ceres::Problem& problem, WindowState& state) const
 }
 
 void
-Energy::addTo (ceres::Problem& problem, WindowState& state) const
+Energy::addTo (ceres::Problem& problem,
+               WindowState& state,
+               const CoupledPoses& poses) const
 {
   if (parameters_.regularizer_weight > 0.0)
-    addCouplings (problem, state);
+    addCouplings (problem, state, poses);
   if (concatenation_weight_ > 0.0)
     forEachConcatenation (
         state, [&] (std::unique_ptr<ConcatenationCost> cost, const auto& blocks) {

@@ -4,6 +4,7 @@
 
 #include "core/data/window_level.h"
 #include "core/energy/concatenation_cost.h"
+#include "core/energy/pose_coupling.h"
 #include <ceres/problem.h>
 #include <pcl_msf/parameters.h>
 #include <pcl_msf/scene_flow.h>
@@ -11,6 +12,9 @@
 #include <vector>
 
 namespace pcl_msf {
+
+/** \brief Per pair and body. */
+using CoupledPoses = std::vector<std::vector<CoupledPose>>;
 
 /** \brief Numbers of residuals of each kind: Eq. 15. */
 struct ResidualCounts {
@@ -53,9 +57,10 @@ public:
 
   /** \brief Adds what ties poses to a problem over the state: one block per link
    * between bodies and pair, whose weight all pairs share and whose prior only the
-   * first pair's block carries; per non-adjacent pair one concatenation per body. */
+   * first pair's block carries; per non-adjacent pair one concatenation per body.
+   * \param poses of the state as it is evaluated, per pair and body */
   void
-  addTo (ceres::Problem& problem, WindowState& state) const;
+  addTo (ceres::Problem& problem, WindowState& state, const CoupledPoses& poses) const;
 
   ResidualCounts
   countResiduals () const;
@@ -72,7 +77,9 @@ private:
   double
   priorWeight () const;
   void
-  addCouplings (ceres::Problem& problem, WindowState& state) const;
+  addCouplings (ceres::Problem& problem,
+                WindowState& state,
+                const CoupledPoses& poses) const;
   void
   carryShapes (const WindowState& state);
   /** Calls visit (cost, parameter blocks) for every body and non-adjacent pair. */

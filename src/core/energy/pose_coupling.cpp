@@ -9,12 +9,12 @@ namespace pcl_msf {
 
 namespace {
 
-RigidPose
+CoupledPose
 poseFrom (const double* parameters)
 {
   RigidPose pose;
   std::copy (parameters, parameters + 6, pose.parameters.begin());
-  return pose;
+  return CoupledPose (pose);
 }
 
 } // namespace
@@ -39,8 +39,12 @@ poseDifference (const UnpackedPose& first,
   return d;
 }
 
+CoupledPose::CoupledPose (const RigidPose& from)
+: pose (from), left_jacobian (leftJacobian (pose.rotation_vector))
+{}
+
 void
-PoseCouplingCost::poseJacobian (const double* parameters,
+PoseCouplingCost::poseJacobian (const CoupledPose& pose,
                                 double sign,
                                 double weight,
                                 double* out) const
@@ -53,11 +57,9 @@ PoseCouplingCost::poseJacobian (const double* parameters,
     j.topRows<6>().diagonal().setConstant (g);
     return;
   }
-  const RigidPose pose = poseFrom (parameters);
-  const Eigen::Vector3d a (parameters[0], parameters[1], parameters[2]);
   const double s = g * scale_.unit;
   j.block<3, 3> (0, 0) =
-      -s * skew (pose.rotation() * link_.midpoint) * leftJacobian (a);
+      -s * skew (pose.pose.rotation * link_.midpoint) * pose.left_jacobian;
   j.block<3, 3> (0, 3).diagonal().setConstant (s);
   j.block<3, 3> (3, 0).diagonal().setConstant (s * link_.lever);
 }
@@ -68,17 +70,18 @@ PoseCouplingCost::Evaluate (double const* const* parameters,
                             double** jacobians) const
 {
   const double w = parameters[2][0];
-  const Vector6 d = poseDifference (
-      poseFrom (parameters[0]), poseFrom (parameters[1]), link_, scale_.unit, form_);
+  const CoupledPose first = first_ ? *first_ : poseFrom (parameters[0]);
+  const CoupledPose second = second_ ? *second_ : poseFrom (parameters[1]);
+  const Vector6 d = poseDifference (first.pose, second.pose, link_, scale_.unit, form_);
   Eigen::Map<Vector6> head (residuals);
   head = scale_.regularizer * w * w * d;
   residuals[6] = scale_.prior * (1.0 - w * w);
   if (!jacobians)
     return true;
   if (jacobians[0])
-    poseJacobian (parameters[0], 1.0, w, jacobians[0]);
+    poseJacobian (first, 1.0, w, jacobians[0]);
   if (jacobians[1])
-    poseJacobian (parameters[1], -1.0, w, jacobians[1]);
+    poseJacobian (second, -1.0, w, jacobians[1]);
   if (jacobians[2]) {
     Eigen::Map<Vector6> j (jacobians[2]);
     j = 2.0 * scale_.regularizer * w * d;

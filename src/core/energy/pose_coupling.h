@@ -27,14 +27,27 @@ poseDifference (const UnpackedPose& first,
                 double unit,
                 PoseDifference form);
 
+/** \brief A pose as couplings need it, at the state that is evaluated. */
+struct CoupledPose {
+  UnpackedPose pose;
+  Eigen::Matrix3d left_jacobian;
+
+  CoupledPose() = default;
+  explicit CoupledPose (const RigidPose& from);
+};
+
 /** \brief Lifted pose regularizer and weight prior of one link (Eq. 10 and 11): six
  * residuals w^2 d and one 1 - w^2, scaled. Parameters: pose j, pose h, w. */
 class PoseCouplingCost : public ceres::SizedCostFunction<7, 6, 6, 1> {
 public:
+  /** \param first, second the poses that parameters mean, kept up to date by who calls
+   * Evaluate: a body has many links; null = taken from the parameters each time */
   PoseCouplingCost (const SegmentLink& link,
                     const CouplingScale& scale,
-                    PoseDifference form)
-  : link_ (link), scale_ (scale), form_ (form)
+                    PoseDifference form,
+                    const CoupledPose* first = nullptr,
+                    const CoupledPose* second = nullptr)
+  : link_ (link), scale_ (scale), form_ (form), first_ (first), second_ (second)
   {}
 
   bool
@@ -44,11 +57,13 @@ public:
 
 private:
   void
-  poseJacobian (const double* pose, double sign, double weight, double* out) const;
+  poseJacobian (const CoupledPose& pose, double sign, double weight, double* out) const;
 
   SegmentLink link_;
   CouplingScale scale_;
   PoseDifference form_;
+  const CoupledPose* first_;
+  const CoupledPose* second_;
 };
 
 /** \brief The w that minimizes gamma |w^2 d|^2 + eta (1 - w^2)^2. */

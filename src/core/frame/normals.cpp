@@ -57,6 +57,13 @@ struct SlopeSums {
   }
 };
 
+/** 1 where a condition holds, else 0: keeps the loop free of branches. */
+inline float
+mask (bool condition)
+{
+  return condition ? 1.0f : 0.0f;
+}
+
 /** Adds the pixels at an offset and across the centre where they are on the centre's
  * surface: those that differ little from it, and those that differ much but oppositely,
  * as on a floor seen at a grazing angle.
@@ -71,23 +78,25 @@ addPixels (const float* center,
            float noise,
            SlopeSums& sums)
 {
-  constexpr float kFar = std::numeric_limits<float>::infinity();
 #pragma omp simd
   for (int i = 0; i < n; ++i) {
     const float w = center[i];
     const float share = kSameSurface * w;
     const float tolerance = 4.0f * noise < share ? share : 4.0f * noise;
     const float steepest = kSteepest * w;
-    const float there = straight[i] > 0.0f ? straight[i] - w : kFar;
-    const float across = mirrored[i] > 0.0f ? mirrored[i] - w : kFar;
-    const float far_there = std::abs (there);
-    const float far_across = std::abs (across);
-    const bool line = (std::abs (there + across) < tolerance) & (far_there < steepest) &
-                      (far_across < steepest);
-    const float use_there = line | (far_there < tolerance) ? 1.0f : 0.0f;
-    const float use_across = line | (far_across < tolerance) ? 1.0f : 0.0f;
-    const float by = (use_there > 0.0f ? there : 0.0f);
-    const float back = (use_across > 0.0f ? across : 0.0f);
+    const float there = straight[i] - w;
+    const float across = mirrored[i] - w;
+    const float known_there = mask (straight[i] > 0.0f);
+    const float known_across = mask (mirrored[i] > 0.0f);
+    const float line =
+        known_there * known_across * mask (std::abs (there + across) < tolerance) *
+        mask (std::abs (there) < steepest) * mask (std::abs (across) < steepest);
+    const float near_there = known_there * mask (std::abs (there) < tolerance);
+    const float near_across = known_across * mask (std::abs (across) < tolerance);
+    const float use_there = near_there > line ? near_there : line;
+    const float use_across = near_across > line ? near_across : line;
+    const float by = use_there * there;
+    const float back = use_across * across;
     sums.xx[i] = sums.xx[i] + use_there * dx * dx + use_across * dx * dx;
     sums.xy[i] = sums.xy[i] + use_there * dx * dy + use_across * dx * dy;
     sums.yy[i] = sums.yy[i] + use_there * dy * dy + use_across * dy * dy;

@@ -43,4 +43,12 @@ meanTruncatedError (const FlowSample* samples,
                     const RigidFitOptions& options,
                     double limit);
 
+/** \brief Each sample's reprojection error at a pose, pixels, with a share of that of
+ * its depth. */
+std::vector<float>
+sampleErrors (const FlowSample* samples,
+              int count,
+              const RigidPose& pose,
+              const RigidFitOptions& options);
+
 } // namespace pcl_msf

@@ -12,12 +12,13 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kFewPoints = 20;      // three residuals per parameter of a pose
-constexpr double kFew = 0.02;       // share of the moved points
-constexpr double kHardlyAny = 0.15; // share of those that land on depth
-constexpr double kMostly = 0.5;     // share of the points with depth
-constexpr double kNoSurface = 0.1;  // noise as a share of the mean inverse depth
-constexpr int kPatches = 20;        // whose median tells something
+constexpr int kFewPoints = 20;          // three residuals per parameter of a pose
+constexpr double kFew = 0.02;           // share of the moved points
+constexpr double kHardlyAny = 0.15;     // share of those that land on depth
+constexpr double kMostly = 0.5;         // share of the points with depth
+constexpr double kNoSurface = 0.1;      // noise as a share of the mean inverse depth
+constexpr double kLeastContrast = 0.02; // standard deviation of the intensity
+constexpr int kPatches = 20;            // whose median tells something
 // Median correlation of texture, the middle between what recordings show: of one place
 // 0.67 and more, also where most things move or are followed wrongly; of different ones
 // 0.26 and less.
@@ -39,6 +40,18 @@ isNoise (const RgbdFrame& frame)
   const cv::Mat& inverse_depth = frame.levels()[0].inverse_depth;
   const double mean = cv::mean (inverse_depth, inverse_depth > 0.0f)[0];
   return frame.inverseDepthNoise() > kNoSurface * mean;
+}
+
+/** As through a covered lens: hardly any contrast. */
+bool
+isBlank (const RgbdFrame& frame)
+{
+  if (!frame.hasIntensity())
+    return false;
+  cv::Scalar mean;
+  cv::Scalar spread;
+  cv::meanStdDev (frame.levels()[0].intensity, mean, spread);
+  return spread[0] < kLeastContrast;
 }
 
 /** Nothing is known: no motion is shown. */
@@ -129,7 +142,8 @@ judgeMotion (const RgbdFrame& reference,
                    "which no surface is found"};
     // The little that seemed determined is not found either.
     if (judgement.objection == StopReason::DifferentPlaces &&
-        overlap.moved < kMostly * overlap.points)
+        (overlap.moved < kMostly * overlap.points || isBlank (reference) ||
+         isBlank (current)))
       judgement = nothing;
   }
   if (judgement.objection == StopReason::NothingDetermined)

@@ -33,7 +33,7 @@ struct Sums {
 /** Pixels of a row with the same candidates: each loop over them vectorizes. */
 struct Run {
   float x[kRun], w[kRun], intensity[kRun], inverse_tolerance[kRun], best[kRun];
-  int label[kRun];
+  float label[kRun]; ///< a whole number
 };
 
 class Clusterer {
@@ -128,12 +128,12 @@ Clusterer::findNearest (int y, int column, int n, Run& run) const
   for (int i = 0; i < n; ++i) {
     run.inverse_tolerance[i] = kPlaneScale / surfaceTolerance (run.w[i], noise_);
     run.best[i] = 1e30f;
-    run.label[i] = -1;
+    run.label[i] = -1.0f;
   }
   for (int r = std::max (0, row - 1); r <= std::min (rows_ - 1, row + 1); ++r)
     for (int c = std::max (0, column - 1); c <= std::min (columns_ - 1, column + 1);
          ++c) {
-      const int candidate = r * columns_ + c;
+      const auto candidate = static_cast<float> (r * columns_ + c);
       const Cluster k = clusters_[candidate];
       const float dy = static_cast<float> (y) - k.y;
 #pragma omp simd
@@ -146,9 +146,10 @@ Clusterer::findNearest (int y, int column, int n, Run& run) const
         const float distance = (dx * dx + dy * dy) * inverse_step * inverse_step +
                                (off2 < kPlaneLimit ? off2 : kPlaneLimit) +
                                shade * shade;
-        const bool nearer = distance < run.best[i];
-        run.best[i] = nearer ? distance : run.best[i];
-        run.label[i] = nearer ? candidate : run.label[i];
+        const float best = run.best[i];
+        const float nearer = distance < best ? 1.0f : 0.0f;
+        run.best[i] = distance < best ? distance : best;
+        run.label[i] += nearer * (candidate - run.label[i]);
       }
     }
 }
@@ -172,7 +173,8 @@ Clusterer::assignRow (int y, int stride)
     }
     findNearest (y, column, n, run);
     for (int i = 0; i < n; ++i)
-      labels[first + i * stride] = run.w[i] > 0.0f ? run.label[i] : -1;
+      labels[first + i * stride] =
+          run.w[i] > 0.0f ? static_cast<int> (run.label[i]) : -1;
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl_msf {
 
@@ -30,7 +31,7 @@ struct SampleTable {
 };
 
 SampleTable
-lift (const cv::Mat& flow,
+lift (const CoarseFlow& flow,
       const RgbdFrame& current,
       const SegmentPixels& pixels,
       const std::vector<char>& wanted,
@@ -44,13 +45,13 @@ lift (const cv::Mat& flow,
   for (int k = 0; k < pixels.segments(); ++k) {
     const int end = wanted[k] ? pixels.begin[k + 1] : pixels.begin[k];
     for (int i = pixels.begin[k]; i < end; ++i) {
-      const int x = std::min ((pixels.pixel[i] % width) << level, flow.cols - 1);
-      const int y = std::min ((pixels.pixel[i] / width) << level, flow.rows - 1);
-      const cv::Vec2f f = flow.at<cv::Vec2f> (y, x);
+      const int x = std::min ((pixels.pixel[i] % width) << level, target.cols - 1);
+      const int y = std::min ((pixels.pixel[i] / width) << level, target.rows - 1);
+      const cv::Vec2f f = flow.at (x, y);
       const float u = static_cast<float> (x) + f[0];
       const float v = static_cast<float> (y) + f[1];
-      if (!(u >= 0.0f && v >= 0.0f && u <= static_cast<float> (flow.cols - 1) &&
-            v <= static_cast<float> (flow.rows - 1)))
+      if (!(u >= 0.0f && v >= 0.0f && u <= static_cast<float> (target.cols - 1) &&
+            v <= static_cast<float> (target.rows - 1)))
         continue;
       const float w = target.at<float> (cvRound (v), cvRound (u));
       table.samples.push_back ({pixels.x[i], pixels.y[i], pixels.z[i], u, v, w});
@@ -94,6 +95,20 @@ bestSupported (const std::vector<FlowSample>& voters,
   return candidates[best - errors.begin()];
 }
 
+void
+dropExplained (const RigidPose& pose,
+               const RigidFitOptions& options,
+               std::vector<FlowSample>& voters)
+{
+  const int count = static_cast<int> (voters.size());
+  const std::vector<float> errors = sampleErrors (voters.data(), count, pose, options);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < voters.size(); ++i)
+    if (!(errors[i] < 0.7 * kVoteLimit))
+      voters[kept++] = voters[i];
+  voters.resize (kept);
+}
+
 /** Motions shared by many voters: the best supported one, refined; then the best of
  * those that it leaves unexplained, and so on. */
 std::vector<RigidPose>
@@ -110,12 +125,8 @@ findBodies (const SampleTable& table,
     RigidPose pose = bestSupported (voters, candidates, options, threads);
     pose =
         fitRigidMotion (voters.data(), static_cast<int> (voters.size()), pose, options);
-    const auto explained = [&] (const FlowSample& s) {
-      return meanTruncatedError (&s, 1, pose, options, kVoteLimit) < 0.7 * kVoteLimit;
-    };
     const std::size_t before = voters.size();
-    voters.erase (std::remove_if (voters.begin(), voters.end(), explained),
-                  voters.end());
+    dropExplained (pose, options, voters);
     if (before - voters.size() < kSmallestBody * all)
       break;
     bodies.push_back (pose);
@@ -123,38 +134,63 @@ findBodies (const SampleTable& table,
   return bodies;
 }
 
-/** Flow between 8-bit images. Where a side is shorter than two of its patches, OpenCV
- * chooses the pyramid by the width alone and reads outside the image: the border is
- * repeated up to there. */
+/** Flow between 8-bit images at half their resolution. Where a side is shorter than two
+ * of its patches, OpenCV chooses the pyramid by the width alone and reads outside the
+ * image: the border is repeated up to there. */
 cv::Mat
-matchImages (const cv::Mat& first, const cv::Mat& second)
+matchHalves (const cv::Mat& first, const cv::Mat& second)
 {
-  const int right = std::max (0, kLeastFlowSide - first.cols);
-  const int bottom = std::max (0, kLeastFlowSide - first.rows);
-  cv::Mat from = first;
-  cv::Mat to = second;
-  if (right > 0 || bottom > 0) {
-    cv::copyMakeBorder (first, from, 0, bottom, 0, right, cv::BORDER_REPLICATE);
-    cv::copyMakeBorder (second, to, 0, bottom, 0, right, cv::BORDER_REPLICATE);
+  const cv::Size half (std::max (1, first.cols / 2), std::max (1, first.rows / 2));
+  const int right = std::max (0, kLeastFlowSide - half.width);
+  const int bottom = std::max (0, kLeastFlowSide - half.height);
+  cv::Mat from;
+  cv::Mat to;
+  for (const auto& [image, small] : {std::pair{&first, &from}, {&second, &to}}) {
+    cv::resize (*image, *small, half, 0, 0, cv::INTER_AREA);
+    if (right > 0 || bottom > 0)
+      cv::copyMakeBorder (*small, *small, 0, bottom, 0, right, cv::BORDER_REPLICATE);
   }
   cv::Mat flow;
   const auto dis = cv::DISOpticalFlow::create (cv::DISOpticalFlow::PRESET_MEDIUM);
+  dis->setFinestScale (0);
   dis->calc (from, to, flow);
-  return flow.size() == first.size() ? flow
-                                     : flow (cv::Rect ({0, 0}, first.size())).clone();
+  return flow (cv::Rect ({0, 0}, half));
 }
 
 } // namespace
 
-cv::Mat
-estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current, int threads)
+/** Bilinear, flat beyond the outermost pixels' centres. */
+cv::Vec2f
+CoarseFlow::at (int x, int y) const
 {
-  cv::Mat flow;
-  withThreads (threads, [&] { flow = matchImages (reference.gray(), current.gray()); });
-  return flow;
+  const auto scale = static_cast<float> (1 << level);
+  const auto place = [scale] (int full, int size, int& low, int& high) {
+    const float at = std::clamp ((static_cast<float> (full) + 0.5f) / scale - 0.5f,
+                                 0.0f,
+                                 static_cast<float> (size - 1));
+    low = static_cast<int> (at);
+    high = std::min (low + 1, size - 1);
+    return at - static_cast<float> (low);
+  };
+  int x0, x1, y0, y1;
+  const float a = place (x, flow.cols, x0, x1);
+  const float b = place (y, flow.rows, y0, y1);
+  const cv::Vec2f* top = flow.ptr<cv::Vec2f> (y0);
+  const cv::Vec2f* low = flow.ptr<cv::Vec2f> (y1);
+  return scale * ((1.0f - b) * ((1.0f - a) * top[x0] + a * top[x1]) +
+                  b * ((1.0f - a) * low[x0] + a * low[x1]));
 }
 
-cv::Mat
+CoarseFlow
+estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current, int threads)
+{
+  CoarseFlow result{{}, 1};
+  withThreads (threads,
+               [&] { result.flow = matchHalves (reference.gray(), current.gray()); });
+  return result;
+}
+
+CoarseFlow
 estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current, int threads)
 {
   const int level = std::min<int> ({1,
@@ -169,23 +205,16 @@ estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current, int thr
   cv::Mat gray_second;
   first.convertTo (gray_first, CV_8U, scale);
   second.convertTo (gray_second, CV_8U, scale);
-  cv::Mat flow;
-  const cv::Size size (reference.width(), reference.height());
-  withThreads (threads, [&] {
-    flow = matchImages (gray_first, gray_second);
-    if (level > 0)
-      cv::resize (flow, flow, size, 0, 0, cv::INTER_LINEAR);
-  });
-  if (level > 0)
-    flow *= 2.0;
-  return flow;
+  CoarseFlow result{{}, level + 1};
+  withThreads (threads, [&] { result.flow = matchHalves (gray_first, gray_second); });
+  return result;
 }
 
 namespace {
 
 /** Intensities that the flow matches, at the level of the samples. */
 void
-matchIntensities (const cv::Mat& flow,
+matchIntensities (const CoarseFlow& flow,
                   const RgbdFrame& current,
                   const SegmentPixels& pixels,
                   int level,
@@ -198,8 +227,7 @@ matchIntensities (const cv::Mat& flow,
   for (std::size_t i = 0; i < pixels.pixel.size(); ++i) {
     const int x = pixels.pixel[i] % image.cols;
     const int y = pixels.pixel[i] / image.cols;
-    const cv::Vec2f f = flow.at<cv::Vec2f> (std::min (y << level, flow.rows - 1),
-                                            std::min (x << level, flow.cols - 1));
+    const cv::Vec2f f = flow.at (x << level, y << level);
     const int u = cvRound (static_cast<float> (x) + f[0] * scale);
     const int v = cvRound (static_cast<float> (y) + f[1] * scale);
     if (u < 0 || v < 0 || u >= image.cols || v >= image.rows)
@@ -212,7 +240,7 @@ matchIntensities (const cv::Mat& flow,
 } // namespace
 
 FlowHypotheses
-hypothesesFromFlow (const cv::Mat& flow,
+hypothesesFromFlow (const CoarseFlow& flow,
                     const RgbdFrame& current,
                     const SegmentPixels& pixels,
                     const std::vector<char>& wanted,

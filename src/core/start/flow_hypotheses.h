@@ -21,23 +21,33 @@ struct FlowHypotheses {
   std::vector<float> pairs_current;   ///< ... and of their matches
 };
 
-/** \brief Dense optical flow, reference to current: CV_32FC2, pixels, by cv's DIS. */
-cv::Mat
+/** \brief Dense optical flow at a part of the frames' resolution. */
+struct CoarseFlow {
+  cv::Mat flow; ///< CV_32FC2, its own pixels
+  int level{0}; ///< the frames' sides are 2^level times as long
+
+  /** \brief Flow of a pixel of the frames, in their pixels. */
+  cv::Vec2f
+  at (int x, int y) const;
+};
+
+/** \brief Flow from the reference to the current frame at half resolution, by cv's DIS:
+ * the finest that its medium preset computes. */
+CoarseFlow
 estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current, int threads);
 
-/** \brief The same on the images of inverse depth, at half resolution: follows thin and
+/** \brief The same on the images of inverse depth, at a quarter: follows thin and
  * textureless things in front of a background, and frames without colour. */
-cv::Mat
+CoarseFlow
 estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current, int threads);
 
 /** \brief Lifts optical flow by depth and fits rigid motions (robustly).
- * \param flow full resolution
  * \param samples points of the reference at a level
  * \param wanted per segment, 0 = leave it out
  * \param level index of that level
  * \param start where the fits begin */
 FlowHypotheses
-hypothesesFromFlow (const cv::Mat& flow,
+hypothesesFromFlow (const CoarseFlow& flow,
                     const RgbdFrame& current,
                     const SegmentPixels& samples,
                     const std::vector<char>& wanted,

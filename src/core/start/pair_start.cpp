@@ -4,6 +4,7 @@
 
 #include "core/segments/segment_graph.h"
 #include "core/segments/surface_links.h"
+#include "core/start/far_motions.h"
 #include "core/start/pose_proposals.h"
 
 #include <algorithm>
@@ -15,6 +16,18 @@ namespace {
 constexpr int kFirstRounds = 4;      // of proposals
 constexpr int kLaterRounds = 2;      // likewise, between levels
 constexpr double kUnexplained = 0.4; // mean cost per residual after the first start
+constexpr double kLost = 0.7;        // share of segments then: features are matched
+
+RigidFitOptions
+fitOptions (const WindowScene& scene)
+{
+  const NoiseModel& noise = scene.noise;
+  return {scene.frames[scene.pairs[0].to].camera(),
+          2.0 * noise.inverse_depth,
+          2.0 * noise.relative_depth,
+          0.5,
+          6};
+}
 
 } // namespace
 
@@ -40,13 +53,15 @@ PairStart::run (const cv::Mat& labels,
   scene_.links = linkNearestCentroids (points.centroid, energy_.neighbors);
   weighLinksBySurface (labels, reference, reference_.inverseDepthNoise(), scene_.links);
   std::vector<char> wanted (scene_.segments, 1);
-  const auto lift = [&] (const cv::Mat& flow) {
+  const auto lift = [&] (const CoarseFlow& flow) {
     return hypothesesFromFlow (
         flow, current_, points, wanted, at, scene_.noise, guess, scene_.threads);
   };
   FlowHypotheses flow;
+  CoarseFlow optical; // empty without intensity
   if (solver_.flow_proposals && reference_.hasIntensity()) {
-    flow = lift (estimateOpticalFlow (reference_, current_, scene_.threads));
+    optical = estimateOpticalFlow (reference_, current_, scene_.threads);
+    flow = lift (optical);
     scene_.change = fitBrightnessChange (flow.pairs_reference, flow.pairs_current);
     for (float& intensity : points.intensity)
       intensity = scene_.change.gain * intensity + scene_.change.offset;
@@ -66,6 +81,20 @@ PairStart::run (const cv::Mat& labels,
   if (solver_.flow_proposals &&
       std::find (wanted.begin(), wanted.end(), 1) != wanted.end())
     suggest (lift (estimateDepthFlow (reference_, current_, scene_.threads)));
+  if (!optical.flow.empty() && lostShare (probes, poses) > kLost) {
+    const FarMotions far = findFarMotions (
+        reference_, current_, optical, guess, fitOptions (scene_), scene_.threads);
+    if (far.instead_of_flow) {
+      compareExposure (far.motions.front(), at, points);
+      poses.assign (scene_.segments, guess);
+      common_ = {guess, RigidPose{}};
+    }
+    if (!far.motions.empty()) {
+      FlowHypotheses matched;
+      matched.bodies = far.motions;
+      suggest (matched);
+    }
+  }
   return poses;
 }
 
@@ -90,6 +119,46 @@ PairStart::propose (const DataTerm& probes,
     if (flow.fitted[k])
       proposals.addOwn (static_cast<int> (k), flow.of_segment[k]);
   proposals.run (rounds, poses);
+}
+
+/** Fits the exposure anew, where points go by a motion that most of the image shares.
+ */
+void
+PairStart::compareExposure (const RigidPose& pose, int at, SegmentPixels& points)
+{
+  const FrameLevel& level = current_.levels()[at];
+  const UnpackedPose motion (pose);
+  const BrightnessChange was = scene_.change;
+  for (float& intensity : points.intensity)
+    intensity = (intensity - was.offset) / was.gain;
+  std::vector<float> from;
+  std::vector<float> to;
+  for (std::size_t i = 0; i < points.pixel.size(); ++i) {
+    const Eigen::Vector3d q =
+        motion.rotation * Eigen::Vector3d (points.x[i], points.y[i], points.z[i]) +
+        motion.translation;
+    if (!(q.z() > 0.0))
+      continue;
+    const int u = cvRound (level.camera.fx * q.x() / q.z() + level.camera.cx);
+    const int v = cvRound (level.camera.fy * q.y() / q.z() + level.camera.cy);
+    if (u < 0 || v < 0 || u >= level.width() || v >= level.height())
+      continue;
+    if (std::abs (level.inverse_depth.at<float> (v, u) * q.z() - 1.0) > 0.05)
+      continue;
+    from.push_back (points.intensity[i]);
+    to.push_back (level.intensity.at<float> (v, u));
+  }
+  scene_.change = fitBrightnessChange (from, to);
+  for (float& intensity : points.intensity)
+    intensity = scene_.change.gain * intensity + scene_.change.offset;
+}
+
+double
+PairStart::lostShare (const DataTerm& probes, const std::vector<RigidPose>& poses) const
+{
+  const std::vector<char> lost = unexplained (probes, poses);
+  const auto count = static_cast<double> (std::count (lost.begin(), lost.end(), 1));
+  return count / std::max<double> (1.0, static_cast<double> (lost.size()));
 }
 
 /** Which segments do not fit the current frame at their present poses. */

@@ -40,6 +40,10 @@ private:
            const FlowHypotheses& flow,
            int rounds,
            std::vector<RigidPose>& poses) const;
+  void
+  compareExposure (const RigidPose& pose, int at, SegmentPixels& points);
+  double
+  lostShare (const DataTerm& probes, const std::vector<RigidPose>& poses) const;
   std::vector<char>
   unexplained (const DataTerm& probes, const std::vector<RigidPose>& poses) const;
 

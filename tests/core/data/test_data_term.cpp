@@ -63,6 +63,28 @@ public:
     return data_->of (0);
   }
 
+  /** The cost at kept correspondences. */
+  double
+  cost (double x)
+  {
+    RigidPose pose;
+    pose.parameters[3] = x;
+    data_->sweep (MotionState::fromSegments ({pose}, 0), Pass::Cost);
+    return data_->of (0).cost();
+  }
+  /** As if something had weighed the points by a factor. */
+  void
+  scaleBrightness (float factor)
+  {
+    pixels_.brightness_scale[0] *= factor;
+    data_->forget();
+  }
+  void
+  setRules (const kernel::Rules& rules)
+  {
+    data_->setRules (rules);
+  }
+
   int
   active () const
   {
@@ -109,6 +131,27 @@ TEST (DataTerm, PointToPlaneResidualByHand)
   EXPECT_NEAR (q.icp_cost, 0.5 * 0.25, 1e-4);
   EXPECT_NEAR (q.information (5, 5), 250.0 * 250.0, 60.0); // the brightness adds a bit
   EXPECT_EQ (point.active(), kernel::kBrightness | kernel::kIcp);
+}
+
+TEST (DataTerm, SumsAtAPoseAreThoseOfTheLastWeights)
+{
+  OnePoint point (squares());
+  const SegmentQuadratic first = point.shifted (0.1, 0.0, 0.0);
+  EXPECT_LT (point.cost (0.05), 0.5 * first.cost());
+  const SegmentQuadratic again = point.shifted (0.1, 0.0, 0.0);
+  EXPECT_EQ (again.brightness_cost, first.brightness_cost);
+  EXPECT_EQ (again.information, first.information);
+  EXPECT_EQ (point.shifted (0.1, 0.0, 0.0).gradient, first.gradient);
+  point.scaleBrightness (2.0f);
+  EXPECT_NEAR (point.shifted (0.1, 0.0, 0.0).brightness_cost,
+               4.0 * first.brightness_cost,
+               1e-6 * first.brightness_cost);
+  kernel::Rules rules = point.rules();
+  rules.brightness_weight *= 0.25f;
+  point.setRules (rules);
+  EXPECT_NEAR (point.shifted (0.1, 0.0, 0.0).brightness_cost,
+               first.brightness_cost,
+               1e-6 * first.brightness_cost);
 }
 
 TEST (DataTerm, TermsAreWeightedAndDividedByTheirCounts)

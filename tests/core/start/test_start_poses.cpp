@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
+#include <opencv2/imgproc.hpp>
+
+#include "core/start/flow_hypotheses.h"
 #include "support/room.h"
 #include <pcl_msf/errors.h>
 
@@ -36,6 +39,23 @@ protected:
         .estimateFrom (reference_, current_, segments_, start);
   }
 };
+
+TEST (CoarseFlow, IsTheSameAsEnlarged)
+{
+  for (const int level : {0, 1, 2}) {
+    CoarseFlow coarse{cv::Mat (7, 9, CV_32FC2), level};
+    cv::randu (coarse.flow, -5.0, 5.0);
+    cv::Mat full;
+    const cv::Size size (9 << level, 7 << level);
+    cv::resize (coarse.flow, full, size, 0, 0, cv::INTER_LINEAR);
+    for (int y = 0; y < size.height; ++y)
+      for (int x = 0; x < size.width; ++x)
+        EXPECT_LT (
+            cv::norm (coarse.at (x, y) - (1 << level) * full.at<cv::Vec2f> (y, x)),
+            1e-4)
+            << "level " << level << ", pixel " << x << " " << y;
+  }
+}
 
 TEST_F (StartPoses, AreKeptWhereNothingIsToImproveThem)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "progress_line.h"
+#include "common/progress_line.h"
 
 #include <unistd.h>
 

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include <pcl_msf/cloud_flow.h>
+#include <pcl_msf/parameters.h>
+
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief Registers articulated and deforming bodies given as points without a grid.
+ *
+ * The source's surface is cut into segments, each moves rigidly, neighbours hold
+ * together (Eq. 5 with Eq. 10 and 11); points are matched with their nearest neighbours
+ * by place and normal instead of by projection, coarse to fine. Limbs that moved far
+ * are found by what bending keeps: the distances along the surface. Segments that move
+ * as one are merged to parts.
+ *
+ * Nothing depends on the unit of the points. Points that are not finite are unknown in
+ * the result. The result does not depend on the number of threads. Objects keep no
+ * state: one may be used from several threads.
+ */
+class CloudFlowEstimator {
+public:
+  explicit CloudFlowEstimator (SolverParameters solver = {});
+
+  /** \param source, target 20 different finite points or more each
+   * \param start where to begin: one rigid motion of all
+   * \throws InvalidInput naming the remedy */
+  CloudFlow
+  estimate (const std::vector<Eigen::Vector3f>& source,
+            const std::vector<Eigen::Vector3f>& target,
+            const RigidPose& start = {}) const;
+
+private:
+  SolverParameters solver_;
+};
+
+} // namespace pcl_msf

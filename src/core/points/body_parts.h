@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/points/part_merging.h"
+#include "core/points/point_solve.h"
+
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief The source's working points as parts. Lengths scaled. */
+struct BodyParts {
+  std::vector<int> part;                ///< per working point, the largest part first
+  std::vector<RigidPose> poses;         ///< per part
+  std::vector<Matrix6> information;     ///< per part, of the pose's parameters
+  std::vector<int> sizes;               ///< per part, working points
+  std::vector<Eigen::Vector3f> points;  ///< per working point, where it is moved to
+  std::vector<Eigen::Vector3f> normals; ///< there
+};
+
+/** \brief Merges segments that move as one. A part that is large enough for a body of
+ * its own moves rigidly up to its border, its motion fitted to all of its points; on
+ * the rest of the surface motions blend. \param merge false: every segment is a part */
+BodyParts
+findParts (const PointClouds& clouds, PointSolve& solve, bool merge, int threads);
+
+} // namespace pcl_msf

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <pcl_msf/cloud_flow_estimator.h>
+
+#include "core/base/parallel_for.h"
+#include "core/points/point_result.h"
+#include "core/points/point_solve.h"
+#include <pcl_msf/errors.h>
+
+#include <chrono>
+#include <string>
+#include <utility>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr int kSteps = 150; // about
+
+double
+secondsSince (std::chrono::steady_clock::time_point begin)
+{
+  const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - begin;
+  return gone.count();
+}
+
+} // namespace
+
+CloudFlowEstimator::CloudFlowEstimator (SolverParameters solver)
+: solver_ (std::move (solver))
+{
+  std::string why;
+  if (!solver_.isValid (&why))
+    throw InvalidInput (why);
+}
+
+CloudFlow
+CloudFlowEstimator::estimate (const std::vector<Eigen::Vector3f>& source,
+                              const std::vector<Eigen::Vector3f>& target,
+                              const RigidPose& start) const
+{
+  const auto begin = std::chrono::steady_clock::now();
+  const int threads = threadCount (solver_.threads);
+  SolveProgress progress (solver_, kSteps);
+  const PointClouds clouds = preparePointClouds (source, target, threads);
+  const double segment_seconds = secondsSince (begin);
+  PointSolve solve (clouds, clouds.scaled (start), threads, progress);
+  solve.run();
+  const double solve_seconds = secondsSince (begin) - segment_seconds;
+  CloudFlow flow = makeCloudFlow (clouds, solve, source, solver_.merge_bodies, threads);
+  noteOutcome (progress, flow);
+  flow.report.segment_seconds = segment_seconds;
+  flow.report.solve_seconds = solve_seconds;
+  flow.report.result_seconds = secondsSince (begin) - segment_seconds - solve_seconds;
+  return flow;
+}
+
+} // namespace pcl_msf

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/points/point_clouds.h"
+
+#include "core/surface/thinning.h"
+#include <pcl_msf/errors.h>
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr int kMostPoints = 40000; // that work; others follow their neighbours
+constexpr int kSamples = 4000;
+constexpr std::size_t kFewest = 20;
+
+std::vector<int>
+finitePoints (const std::vector<Eigen::Vector3f>& points)
+{
+  std::vector<int> finite;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].allFinite())
+      finite.push_back (static_cast<int> (i));
+  return finite;
+}
+
+/** Of points at one place the first. */
+void
+dropDoubles (const std::vector<Eigen::Vector3f>& points, std::vector<int>& chosen)
+{
+  const auto key = [&points] (int i) {
+    const Eigen::Vector3f& p = points[i];
+    return std::make_tuple (p.x(), p.y(), p.z());
+  };
+  std::sort (chosen.begin(), chosen.end(), [&key] (int a, int b) {
+    return std::make_pair (key (a), a) < std::make_pair (key (b), b);
+  });
+  chosen.erase (
+      std::unique (chosen.begin(),
+                   chosen.end(),
+                   [&key] (int a, int b) { return key (a) == key (b); }),
+      chosen.end());
+  std::sort (chosen.begin(), chosen.end());
+}
+
+std::vector<Eigen::Vector3f>
+pick (const std::vector<Eigen::Vector3f>& points, const std::vector<int>& chosen)
+{
+  std::vector<Eigen::Vector3f> picked;
+  picked.reserve (chosen.size());
+  for (const int i : chosen)
+    picked.push_back (points[i]);
+  return picked;
+}
+
+void
+requireEnough (std::size_t count, const char* name)
+{
+  if (count < kFewest)
+    throw InvalidInput ("the " + std::string (name) + " has " + std::to_string (count) +
+                        " different finite points on surfaces: give " +
+                        std::to_string (kFewest) + " or more");
+}
+
+/** \param points scaled */
+WorkingCloud
+makeWorkingCloud (const std::vector<Eigen::Vector3f>& points,
+                  std::vector<int> chosen,
+                  const char* name,
+                  int threads)
+{
+  WorkingCloud cloud;
+  dropDoubles (points, chosen);
+  requireEnough (chosen.size(), name);
+  for (const int k : thinPoints (pick (points, chosen), {}, kMostPoints))
+    cloud.given.push_back (chosen[k]);
+  const std::vector<char> kept = onSurface (pick (points, cloud.given), threads);
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < kept.size(); ++i)
+    if (kept[i])
+      cloud.given[n++] = cloud.given[i];
+  cloud.given.resize (n);
+  requireEnough (n, name);
+  cloud.surface = makeSurface (pick (points, cloud.given), threads);
+  cloud.samples = thinPoints (cloud.surface.points, cloud.surface.normals, kSamples);
+  cloud.thin = thinSurface (cloud.surface, cloud.samples, threads);
+  return cloud;
+}
+
+} // namespace
+
+RigidPose
+PointClouds::asGiven (const RigidPose& pose) const
+{
+  const Eigen::Matrix3d r = pose.rotation();
+  return RigidPose::fromMatrix (r, size * pose.translation() + center - r * center);
+}
+
+RigidPose
+PointClouds::scaled (const RigidPose& pose) const
+{
+  const Eigen::Matrix3d r = pose.rotation();
+  return RigidPose::fromMatrix (r,
+                                (pose.translation() - center + r * center) / size);
+}
+
+PointClouds
+preparePointClouds (const std::vector<Eigen::Vector3f>& source,
+                    const std::vector<Eigen::Vector3f>& target,
+                    int threads)
+{
+  PointClouds clouds;
+  std::vector<int> finite = finitePoints (source);
+  requireEnough (finite.size(), "source");
+  Eigen::Vector3d low = source[finite[0]].cast<double>();
+  Eigen::Vector3d high = low;
+  for (const int i : finite) {
+    low = low.cwiseMin (source[i].cast<double>());
+    high = high.cwiseMax (source[i].cast<double>());
+  }
+  clouds.center = 0.5 * (low + high);
+  clouds.size = (high - low).norm();
+  if (!(clouds.size > 0.0))
+    throw InvalidInput ("all points of the source are at one place: give a surface");
+  const auto scale = [&clouds] (const std::vector<Eigen::Vector3f>& points) {
+    std::vector<Eigen::Vector3f> scaled;
+    scaled.reserve (points.size());
+    for (const auto& p : points)
+      scaled.push_back (clouds.scaled (p));
+    return scaled;
+  };
+  clouds.source = makeWorkingCloud (scale (source), std::move (finite), "source", threads);
+  clouds.target =
+      makeWorkingCloud (scale (target), finitePoints (target), "target", threads);
+  return clouds;
+}
+
+} // namespace pcl_msf

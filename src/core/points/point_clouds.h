@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/surface/surface.h"
+#include <pcl_msf/rigid_pose.h>
+
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief The points of one cloud that a registration works on. */
+struct WorkingCloud {
+  Surface surface;          ///< scaled
+  std::vector<int> given;   ///< per working point, its index in the cloud
+  std::vector<int> samples; ///< of the surface, evenly spread
+  Surface thin;             ///< of the samples alone
+};
+
+/** \brief Both clouds, brought to a size of about 1 around the origin: whatever unit
+ * they came in, the same numbers go through the solver. */
+struct PointClouds {
+  WorkingCloud source;
+  WorkingCloud target;
+  Eigen::Vector3d center{Eigen::Vector3d::Zero()}; ///< of the source, as given
+  double size{1.0};                                ///< of the source, as given
+
+  Eigen::Vector3f
+  scaled (const Eigen::Vector3f& point) const
+  {
+    return ((point.cast<double>() - center) / size).cast<float>();
+  }
+  Eigen::Vector3f
+  asGiven (const Eigen::Vector3f& point) const
+  {
+    return (size * point.cast<double>() + center).cast<float>();
+  }
+  /** \brief A motion of scaled points as one of points as given. */
+  RigidPose
+  asGiven (const RigidPose& pose) const;
+  RigidPose
+  scaled (const RigidPose& pose) const;
+};
+
+/** \brief Prepares two clouds: without points that are not finite, doubled or off every
+ * surface, and at most as many as are of use.
+ * \throws InvalidInput naming the remedy when too few remain */
+PointClouds
+preparePointClouds (const std::vector<Eigen::Vector3f>& source,
+                    const std::vector<Eigen::Vector3f>& target,
+                    int threads);
+
+} // namespace pcl_msf

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/points/deformation.h"
+#include "core/points/isometry.h"
+#include "core/surface/point_tree.h"
+
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief What pulls at a sample: 1/2 x' a x - b' x + c over where it is moved to. */
+struct PointPull {
+  Eigen::Matrix3d a{Eigen::Matrix3d::Zero()};
+  Eigen::Vector3d b{Eigen::Vector3d::Zero()};
+  double c{0.0};
+  double weight{0.0}; ///< of all that was added
+
+  /** \brief Adds share/2 ((n'(x-q))^2 + isotropy |x-q|^2). */
+  void
+  add (const Eigen::Vector3d& q,
+       const Eigen::Vector3d& n,
+       double share,
+       double isotropy);
+};
+
+/** \brief How points find each other. Lengths in the unit of the points. */
+struct MatchRules {
+  double distance{0.1};      ///< scale of the robust weight
+  double normal_length{0.1}; ///< what a difference of normals of 1 counts as
+  double isotropy{0.1};      ///< share of point-to-point in point-to-plane
+  double mutual{0.0};        ///< scale of the way there and back; 0 = not asked
+  double backward{1.0};      ///< weight of the target's points' own matches
+  bool borders{false};       ///< may a match lie on the target's border?
+};
+
+/** \brief The target's points as seen by matching. */
+class MatchTarget {
+public:
+  MatchTarget (const Surface& surface, std::vector<int> samples)
+  : surface_ (surface), samples_ (std::move (samples))
+  {}
+
+  /** \brief What pulls at every sample. Each has a share of 1 of all weights at most
+   * from either side. */
+  std::vector<PointPull>
+  pulls (const MovedPoints& moved, const MatchRules& rules, int threads);
+
+  /** \brief Shares of the moved points and of the target's samples that have a match.
+   */
+  std::pair<double, double>
+  explained (const MovedPoints& moved, const MatchRules& rules, int threads);
+
+  /** \brief Per moved point, how far it is from the plane at its match: `most` when it
+   * has none, is farther from it than that, or does not face it. */
+  std::vector<float>
+  distances (const MovedPoints& moved,
+             const MatchRules& rules,
+             double most,
+             int threads);
+
+  /** \brief Shares of the moved points, and of the target's samples, that have one of
+   * the others within the distance that faces them. */
+  std::pair<double, double>
+  covered (const MovedPoints& moved, const MatchRules& rules, double most, int threads);
+
+  /** \brief Pairs that are each other's nearest, within the distance and facing. */
+  std::vector<PointPair>
+  tightPairs (const MovedPoints& moved, const MatchRules& rules, int threads);
+
+private:
+  void
+  prepare (double normal_length);
+
+  const Surface& surface_;
+  std::vector<int> samples_; ///< points that look for matches themselves
+  PointTree tree_;
+  double normal_length_{-1.0};
+};
+
+} // namespace pcl_msf

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/points/point_result.h"
+
+#include "core/base/parallel_for.h"
+#include "core/points/body_parts.h"
+#include "core/points/cloud_joints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr double kFound = 4.0;      // spacings: a surface is seen there
+constexpr double kJointShare = 0.01; // of the points: a part that has joints
+constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+
+/** Information of a pose of points as given from that of scaled ones. */
+Matrix6
+informationAsGiven (const PointClouds& clouds,
+                    const RigidPose& scaled,
+                    const Matrix6& information)
+{
+  const auto& p = scaled.parameters;
+  Eigen::Matrix<double, 6, 6> change = Eigen::Matrix<double, 6, 6>::Identity();
+  change.bottomLeftCorner<3, 3>() = -skew (scaled.rotation() * clouds.center) *
+                                    leftJacobian ({p[0], p[1], p[2]}) / clouds.size;
+  change.bottomRightCorner<3, 3>() /= clouds.size;
+  return change.transpose() * information * change;
+}
+
+void
+addParts (const PointClouds& clouds, const BodyParts& parts, CloudFlow& flow)
+{
+  flow.parts.resize (parts.poses.size());
+  const Surface& surface = clouds.source.surface;
+  for (int i = 0; i < surface.size(); ++i)
+    flow.parts[parts.part[i]].centroid += surface.points[i].cast<double>();
+  for (std::size_t p = 0; p < flow.parts.size(); ++p) {
+    CloudPart& part = flow.parts[p];
+    part.target_from_source = clouds.asGiven (parts.poses[p]);
+    part.information =
+        informationAsGiven (clouds, parts.poses[p], parts.information[p]);
+    part.centroid =
+        clouds.size * part.centroid / std::max (1, parts.sizes[p]) + clouds.center;
+  }
+}
+
+void
+addJoints (const PointClouds& clouds, const BodyParts& parts, CloudFlow& flow)
+{
+  struct Seam {
+    Eigen::Vector3d sum{Eigen::Vector3d::Zero()};
+    int count{0};
+  };
+  std::map<std::pair<int, int>, Seam> seams;
+  const Surface& surface = clouds.source.surface;
+  const auto large = [&] (int p) {
+    return parts.sizes[p] >= kJointShare * surface.size();
+  };
+  for (int i = 0; i < surface.size(); ++i)
+    for (const SurfaceEdge* e = surface.graph.begin (i); e != surface.graph.end (i);
+         ++e) {
+      const int a = parts.part[i];
+      const int b = parts.part[e->to];
+      if (a >= b || !large (a) || !large (b))
+        continue;
+      Seam& seam = seams[{a, b}];
+      seam.sum += 0.5 * (surface.points[i] + surface.points[e->to]).cast<double>();
+      ++seam.count;
+    }
+  for (const auto& [pair, seam] : seams) {
+    CloudJoint joint =
+        jointBetween (flow.parts[pair.first],
+                      flow.parts[pair.second],
+                      clouds.size * seam.sum / seam.count + clouds.center);
+    joint.parent = pair.first;
+    joint.child = pair.second;
+    flow.joints.push_back (joint);
+  }
+}
+
+/** Every given point goes as the nearest working point; that knows its part's pose or,
+ * where motions blend, its own shift. */
+void
+carryAll (const PointClouds& clouds,
+          const BodyParts& parts,
+          const std::vector<Eigen::Vector3f>& source,
+          const std::vector<Eigen::Vector3f>& target_points,
+          const std::vector<float>& confidence,
+          int threads,
+          CloudFlow& flow)
+{
+  const Surface& surface = clouds.source.surface;
+  const PointTree tree (surface.points);
+  const PointTree target_tree (target_points);
+  const std::size_t n = source.size();
+  flow.warped.assign (n, Eigen::Vector3f::Constant (kUnknown));
+  flow.part.assign (n, -1);
+  flow.target.assign (n, -1);
+  flow.confidence.assign (n, 0.0f);
+  parallelFor (threads, static_cast<int> (n), 256, [&] (int i) {
+    if (!source[i].allFinite())
+      return;
+    const Eigen::Vector3f p = clouds.scaled (source[i]);
+    const int k = tree.nearest (p).index;
+    const RigidPose& pose = parts.poses[parts.part[k]];
+    const Eigen::Vector3f offset =
+        (pose.rotation() * (p - surface.points[k]).cast<double>()).cast<float>();
+    const Eigen::Vector3f moved = parts.points[k] + offset;
+    flow.warped[i] = clouds.asGiven (moved);
+    flow.part[i] = parts.part[k];
+    flow.confidence[i] = confidence[k];
+    const int j = target_tree.nearest (moved).index;
+    flow.target[i] = j < 0 ? -1 : clouds.target.given[j];
+  });
+  for (const int p : flow.part)
+    if (p >= 0)
+      ++flow.parts[p].points;
+}
+
+} // namespace
+
+CloudFlow
+makeCloudFlow (const PointClouds& clouds,
+               PointSolve& solve,
+               const std::vector<Eigen::Vector3f>& source,
+               bool merge,
+               int threads)
+{
+  CloudFlow flow;
+  const BodyParts parts = findParts (clouds, solve, merge, threads);
+  addParts (clouds, parts, flow);
+  addJoints (clouds, parts, flow);
+  MatchRules rules;
+  rules.normal_length = 0.02;
+  const MovedPoints moved{parts.points, parts.normals};
+  const double limit =
+      kFound * std::max (clouds.source.surface.median_spacing,
+                         clouds.target.surface.median_spacing);
+  const std::vector<float> away =
+      solve.fineTarget().distances (moved, rules, limit, threads);
+  std::vector<float> confidence;
+  for (const float d : away)
+    confidence.push_back (1.0f - d / static_cast<float> (limit));
+  carryAll (clouds,
+            parts,
+            source,
+            clouds.target.surface.points,
+            confidence,
+            threads,
+            flow);
+  const auto [s, t] = solve.fineTarget().covered (moved, rules, limit, threads);
+  flow.explained_source = s;
+  flow.explained_target = t;
+  return flow;
+}
+
+void
+noteOutcome (const SolveProgress& progress, CloudFlow& flow)
+{
+  constexpr double unexplained = 0.05; // of both clouds: something lies elsewhere
+  Report& report = flow.report;
+  report.iterations = progress.iterations();
+  report.history = progress.history();
+  if (!report.history.empty()) {
+    report.initial_cost.icp = report.history.front().cost;
+    report.final_cost.icp = report.history.back().cost;
+  }
+  report.stop_reason = progress.stopped() ? progress.reason() : StopReason::Converged;
+  const double missing = 1.0 - std::max (flow.explained_source, flow.explained_target);
+  if (progress.stopped())
+    report.message = "ended before its end; the result is the best so far";
+  else if (missing > unexplained) {
+    report.stop_reason = StopReason::DifferentPlaces;
+    report.message = "parts of both clouds are not found on each other: give a start "
+                     "that is nearer, or clouds that show the same";
+  }
+  report.converged = report.stop_reason == StopReason::Converged;
+}
+
+} // namespace pcl_msf

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/points/isometry.h"
+#include "core/points/point_clouds.h"
+#include "core/points/point_problem.h"
+#include "core/points/solve_progress.h"
+
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief A resolution of the solve. Lengths in sizes of the source. */
+struct PointStage {
+  int segments;       ///< of the source
+  double regularizer; ///< gamma
+  double from;        ///< scale of the matches' robust weight in the first step
+  double to;          ///< and in the last one
+  int steps;
+};
+
+/** \brief Finds a motion per segment of the source, coarse to fine, then again with
+ * limbs that moved far started from what their distances along the surface say. */
+class PointSolve {
+public:
+  /** \param start of all segments, on scaled points */
+  PointSolve (const PointClouds& clouds,
+              const RigidPose& start,
+              int threads,
+              SolveProgress& progress);
+
+  void
+  run ();
+
+  const SurfaceSegments&
+  segments () const
+  {
+    return cuts_[cut_];
+  }
+  const std::vector<RigidPose>&
+  poses () const
+  {
+    return poses_;
+  }
+  const PointSamples&
+  samples () const
+  {
+    return samples_;
+  }
+  /** \brief Against all of the target's points. */
+  MatchTarget&
+  fineTarget ()
+  {
+    return fine_;
+  }
+
+private:
+  void
+  enter (int cut);
+  void
+  match (const PointStage& stage, MatchTarget& target);
+  std::vector<PointPair>
+  isometricPairs ();
+  void
+  followPairs (const std::vector<PointPair>& pairs);
+  double
+  explained ();
+
+  const PointClouds& clouds_;
+  int threads_;
+  SolveProgress& progress_;
+  std::vector<SurfaceSegments> cuts_; ///< per stage
+  int cut_{0};
+  PointSamples samples_;
+  std::vector<RigidPose> poses_; ///< per segment of the present cut
+  MatchTarget coarse_;
+  MatchTarget fine_;
+};
+
+} // namespace pcl_msf

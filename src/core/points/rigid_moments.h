@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/points/point_matching.h"
+#include <pcl_msf/rigid_pose.h>
+
+namespace pcl_msf {
+
+/** \brief What pulls at many points that move rigidly: their summed energy as a
+ * quadratic of the twelve numbers of rotation matrix and translation. It is exact for
+ * every pose, however far, and sums add up. */
+class RigidMoments {
+public:
+  RigidMoments() { h_.setZero(), v_.setZero(); }
+
+  void
+  add (const Eigen::Vector3d& point, const PointPull& pull, double weight);
+  void
+  add (const RigidMoments& other);
+
+  double
+  cost (const RigidPose& pose) const;
+
+  /** \brief The best pose near a start. \param[out] information of the pose's
+   * parameters; may be null */
+  RigidPose
+  solve (const RigidPose& start, Matrix6* information = nullptr) const;
+
+  /** \brief Weight of the points. */
+  double
+  weight () const
+  {
+    return weight_;
+  }
+
+private:
+  Eigen::Matrix<double, 12, 12, Eigen::DontAlign> h_;
+  Eigen::Matrix<double, 12, 1, Eigen::DontAlign> v_;
+  double c_{0.0};
+  double weight_{0.0};
+};
+
+} // namespace pcl_msf

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/points/isometry.h"
+#include "core/surface/surface_segments.h"
+#include <pcl_msf/rigid_pose.h>
+
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief The rigid motion of weighted pairs of points, as columns: Kabsch's, robust
+ * against pairs that are off by more than `scale`. */
+RigidPose
+fitPairs (const Eigen::Matrix3Xd& from,
+          const Eigen::Matrix3Xd& to,
+          const std::vector<double>& weights,
+          double scale);
+
+/** \brief Every segment's motion by the pairs that it and its overlap hold; segments
+ * with hardly any keep theirs. */
+void
+startSegments (const Surface& source,
+               const Surface& target,
+               const SurfaceSegments& segments,
+               const std::vector<PointPair>& pairs,
+               double scale,
+               std::vector<RigidPose>& poses);
+
+} // namespace pcl_msf

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/surface/surface_graph.h"
+
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief Points that sample a surface, with what the points alone tell of it. */
+struct Surface {
+  std::vector<Eigen::Vector3f> points;
+  std::vector<Eigen::Vector3f> normals; ///< unit; outwards where the surface is closed
+  std::vector<float> spacing;           ///< to the near neighbours, per point
+  std::vector<char> border;             ///< at the rim of a hole or a cut
+  SurfaceGraph graph;
+  double median_spacing{0.0};
+
+  int
+  size () const
+  {
+    return static_cast<int> (points.size());
+  }
+};
+
+/** \brief Finds normals, the graph and the borders of points. */
+Surface
+makeSurface (std::vector<Eigen::Vector3f> points, int threads);
+
+/** \brief Some points of a surface as one of its own: they keep their normals. */
+Surface
+thinSurface (const Surface& surface, const std::vector<int>& chosen, int threads);
+
+/** \brief Per point: does it lie on a surface? Not when it is far from all others or
+ * its few neighbours lie around it like dust. */
+std::vector<char>
+onSurface (const std::vector<Eigen::Vector3f>& points, int threads);
+
+} // namespace pcl_msf

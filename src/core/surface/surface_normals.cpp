@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/surface/surface_normals.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include "core/base/parallel_for.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <tuple>
+
+namespace pcl_msf {
+
+namespace {
+
+using Points = std::vector<Eigen::Vector3f>;
+using Neighbors = std::vector<std::vector<FoundPoint>>;
+
+Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>
+localScatter (const Points& points, int i, const std::vector<FoundPoint>& neighbors)
+{
+  Eigen::Vector3d mean = points[i].cast<double>();
+  for (const FoundPoint& f : neighbors)
+    mean += points[f.index].cast<double>();
+  mean /= static_cast<double> (neighbors.size() + 1);
+  Eigen::Vector3d d = points[i].cast<double>() - mean;
+  Eigen::Matrix3d scatter = d * d.transpose();
+  for (const FoundPoint& f : neighbors) {
+    d = points[f.index].cast<double>() - mean;
+    scatter += d * d.transpose();
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
+  eigen.computeDirect (scatter / std::max (scatter.trace(), 1e-300));
+  return eigen;
+}
+
+/** How doubtful it is that two normals look to the same side when their product is
+ * positive: small on a plane, large over an edge or a gap. */
+float
+doubt (const Points& points, const Points& normals, int a, int b)
+{
+  const Eigen::Vector3f edge = (points[b] - points[a]).normalized();
+  return 1.0f - std::abs (normals[a].dot (normals[b])) +
+         0.5f * std::abs (edge.dot (normals[a])) +
+         0.5f * std::abs (edge.dot (normals[b]));
+}
+
+std::vector<std::vector<int>>
+bothWays (const Neighbors& neighbors)
+{
+  std::vector<std::vector<int>> lists (neighbors.size());
+  for (std::size_t i = 0; i < neighbors.size(); ++i)
+    for (const FoundPoint& f : neighbors[i]) {
+      lists[i].push_back (f.index);
+      lists[f.index].push_back (static_cast<int> (i));
+    }
+  return lists;
+}
+
+/** Turns a piece's normals to one side, going from the surest neighbour to the next. */
+void
+turnPiece (int first,
+           const Points& points,
+           const std::vector<std::vector<int>>& lists,
+           Points& normals,
+           std::vector<char>& done,
+           std::vector<int>& piece)
+{
+  using Step = std::tuple<float, int, int>; // doubt, to, from
+  std::priority_queue<Step, std::vector<Step>, std::greater<Step>> queue;
+  queue.push ({0.0f, first, first});
+  while (!queue.empty()) {
+    const auto [unused, to, from] = queue.top();
+    queue.pop();
+    if (done[to])
+      continue;
+    done[to] = 1;
+    piece.push_back (to);
+    if (normals[to].dot (normals[from]) < 0.0f)
+      normals[to] = -normals[to];
+    for (const int next : lists[to])
+      if (!done[next])
+        queue.push ({doubt (points, normals, to, next), next, to});
+  }
+}
+
+/** Outwards: where the volume inside, a sum over the surface, is positive. */
+void
+turnOutwards (const Points& points,
+              const Neighbors& neighbors,
+              const std::vector<int>& piece,
+              Points& normals)
+{
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  for (const int i : piece)
+    center += points[i].cast<double>();
+  center /= static_cast<double> (piece.size());
+  double volume = 0.0;
+  for (const int i : piece) {
+    const double area = neighbors[i].empty() ? 0.0 : neighbors[i].back().squared_distance;
+    volume += area * normals[i].cast<double>().dot (points[i].cast<double>() - center);
+  }
+  if (volume < 0.0)
+    for (const int i : piece)
+      normals[i] = -normals[i];
+}
+
+} // namespace
+
+std::vector<Eigen::Vector3f>
+surfaceNormals (const Points& points, const Neighbors& neighbors, int threads)
+{
+  Points normals (points.size());
+  parallelFor (threads, static_cast<int> (points.size()), 256, [&] (int i) {
+    normals[i] =
+        localScatter (points, i, neighbors[i]).eigenvectors().col (0).cast<float>();
+    if (!normals[i].allFinite() || normals[i].norm() < 0.5f)
+      normals[i] = Eigen::Vector3f::UnitZ();
+    normals[i].normalize();
+  });
+  const std::vector<std::vector<int>> lists = bothWays (neighbors);
+  std::vector<char> done (points.size(), 0);
+  std::vector<int> piece;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!done[i]) {
+      piece.clear();
+      turnPiece (static_cast<int> (i), points, lists, normals, done, piece);
+      turnOutwards (points, neighbors, piece, normals);
+    }
+  return normals;
+}
+
+float
+localRoughness (const Points& points, int point, const std::vector<FoundPoint>& neighbors)
+{
+  return static_cast<float> (
+      std::max (0.0, localScatter (points, point, neighbors).eigenvalues()[0]));
+}
+
+} // namespace pcl_msf

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/motion/motion_state.h"
+#include "core/surface/surface.h"
+
+#include <vector>
+
+namespace pcl_msf {
+
+/** \brief A segment that a point follows, and by how much. */
+struct Membership {
+  int segment{0};
+  float weight{0.0f};
+};
+
+/** \brief A surface cut into segments of about equal size along it. */
+struct SurfaceSegments {
+  std::vector<int> seeds;                       ///< per segment, a point
+  std::vector<int> label;                       ///< per point
+  std::vector<Eigen::Vector3d> centroids;       ///< per segment
+  std::vector<SegmentLink> links;               ///< of segments that touch
+  std::vector<std::vector<Membership>> members; ///< per point: own and near segments
+  double radius{0.0};                           ///< typical, along the surface
+
+  int
+  size () const
+  {
+    return static_cast<int> (seeds.size());
+  }
+};
+
+/** \brief Seeds far from each other along the surface, every point with its nearest.
+ * \param seeds of a coarser cut to keep, may be empty */
+SurfaceSegments
+cutSurface (const Surface& surface, int count, const std::vector<int>& seeds);
+
+} // namespace pcl_msf

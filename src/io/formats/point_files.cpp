@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <pcl_msf/io/point_files.h>
+
+#include "core/base/number_text.h"
+#include "io/formats/cloud_fields.h"
+#include "io/base/input_file.h"
+#include "io/base/output_file.h"
+#include "io/formats/pcd_blob.h"
+#include "io/formats/ply_reader.h"
+#include <pcl_msf/errors.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <sstream>
+
+namespace pcl_msf::io {
+
+namespace {
+
+PointFile
+readPcdPoints (const std::string& path)
+{
+  const pcl::PCLPointCloud2 blob = readPcd (path);
+  const CloudFields fields (blob, path);
+  PointFile result;
+  const std::size_t count = std::size_t{blob.width} * blob.height;
+  const unsigned char* bytes = blob.data.data();
+  for (std::size_t i = 0; i < count; ++i, bytes += blob.point_step) {
+    Eigen::Vector3f p;
+    fields.position (bytes, p.x(), p.y(), p.z());
+    result.points.push_back (p);
+    if (!fields.packedColor())
+      continue;
+    std::uint32_t color = 0;
+    std::memcpy (&color, bytes + fields.packedColor()->offset, sizeof (color));
+    result.colors.push_back (color & 0xFFFFFFU);
+  }
+  return result;
+}
+
+/** The lines "v x y z". */
+PointFile
+readObj (const std::string& path)
+{
+  InputFile file (path);
+  std::istringstream lines (file.text (std::uint64_t{1} << 32));
+  PointFile result;
+  std::string line;
+  while (std::getline (lines, line)) {
+    std::istringstream words (line);
+    std::string word;
+    words >> word;
+    if (word != "v")
+      continue;
+    Eigen::Vector3f p;
+    for (int k = 0; k < 3; ++k) {
+      word.clear();
+      words >> word;
+      if (!parseNumber (word, p[k]))
+        file.fail ("v", "'" + word + "' is no number");
+    }
+    result.points.push_back (p);
+  }
+  if (result.points.empty())
+    file.fail ("v", "the file has no vertices");
+  return result;
+}
+
+template <typename T>
+void
+append (std::string& bytes, const T& value)
+{
+  bytes.append (reinterpret_cast<const char*> (&value), sizeof (value));
+}
+
+} // namespace
+
+PointFile
+readPoints (const std::string& path)
+{
+  const std::string extension = lowerExtension (path);
+  if (extension == ".pcd")
+    return readPcdPoints (path);
+  if (extension == ".ply")
+    return readPly (path);
+  if (extension == ".obj")
+    return readObj (path);
+  throw IoError (path + ": name: must end in .pcd, .ply or .obj");
+}
+
+void
+writePointsPly (const std::string& path, const std::vector<Eigen::Vector3f>& points)
+{
+  std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " +
+                      std::to_string (points.size()) +
+                      "\nproperty float x\nproperty float y\nproperty float z\n"
+                      "end_header\n";
+  for (const auto& p : points)
+    bytes.append (reinterpret_cast<const char*> (p.data()), 3 * sizeof (float));
+  writeBytes (path, bytes.data(), bytes.size());
+}
+
+void
+writeRegisteredCloud (const std::string& path,
+                      const CloudFlow& flow,
+                      const PointFile& source)
+{
+  const std::string count = std::to_string (flow.warped.size());
+  std::string bytes =
+      "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n"
+      "FIELDS x y z rgb dx dy dz part confidence\nSIZE 4 4 4 4 4 4 4 4 4\n"
+      "TYPE F F F U F F F I F\nCOUNT 1 1 1 1 1 1 1 1 1\nWIDTH " +
+      count + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + count +
+      "\nDATA binary\n";
+  for (std::size_t i = 0; i < flow.warped.size(); ++i) {
+    const Eigen::Vector3f& x = flow.warped[i];
+    const Eigen::Vector3f d = x - source.points[i];
+    bytes.append (reinterpret_cast<const char*> (x.data()), 3 * sizeof (float));
+    append (bytes, source.colors.empty() ? 0xFFFFFFU : source.colors[i]);
+    bytes.append (reinterpret_cast<const char*> (d.data()), 3 * sizeof (float));
+    append (bytes, static_cast<std::int32_t> (flow.part[i]));
+    append (bytes, flow.confidence[i]);
+  }
+  writeBytes (path, bytes.data(), bytes.size());
+}
+
+} // namespace pcl_msf::io

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <gtest/gtest.h>
+
+#include "core/surface/point_tree.h"
+#include "core/surface/surface.h"
+#include "core/surface/surface_segments.h"
+#include "core/surface/thinning.h"
+
+#include <cmath>
+#include <random>
+#include <set>
+
+namespace {
+
+using namespace pcl_msf;
+
+using Points = std::vector<Eigen::Vector3f>;
+
+/** A sphere of radius 1 by a spiral. */
+Points
+sphere (int count, const Eigen::Vector3f& center = Eigen::Vector3f::Zero())
+{
+  Points points;
+  for (int i = 0; i < count; ++i) {
+    const float z = 1.0f - 2.0f * (i + 0.5f) / count;
+    const float r = std::sqrt (1.0f - z * z);
+    const float a = 2.39996323f * i;
+    points.push_back (center + Eigen::Vector3f (r * std::cos (a), r * std::sin (a), z));
+  }
+  return points;
+}
+
+TEST (PointTree, FindsTheNearestInOrder)
+{
+  const PointTree tree (Points{{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {1, 0, 0}});
+  EXPECT_EQ (tree.nearest (Eigen::Vector3f (2.6f, 0, 0)).index, 2);
+  std::vector<FoundPoint> found;
+  tree.nearest (Eigen::Vector3f (0.9f, 0, 0).data(), 3, found);
+  ASSERT_EQ (found.size(), 3u);
+  EXPECT_EQ (found[0].index, 1); // of two at one place the first
+  EXPECT_EQ (found[1].index, 3);
+  EXPECT_EQ (found[2].index, 0);
+  EXPECT_EQ (tree.nearest (Eigen::Vector3f (NAN, 0, 0)).index, -1);
+  EXPECT_EQ (PointTree().nearest (Eigen::Vector3f::Zero()).index, -1);
+}
+
+TEST (Surface, NormalsOfAClosedSurfacePointOutwards)
+{
+  const Surface surface = makeSurface (sphere (2000), 2);
+  for (int i = 0; i < surface.size(); ++i) {
+    EXPECT_GT (surface.normals[i].dot (surface.points[i]), 0.97f) << i;
+    EXPECT_FALSE (surface.border[i]) << i;
+  }
+  std::vector<int> sizes;
+  surface.graph.pieces (&sizes);
+  EXPECT_EQ (sizes.size(), 1u);
+}
+
+TEST (Surface, DistancesRunAlongIt)
+{
+  const Points points = sphere (4000);
+  const Surface surface = makeSurface (points, 2);
+  std::vector<float> distance (points.size(), SurfaceGraph::kUnreached);
+  surface.graph.spread (0, distance, [] (int, float) { return true; });
+  // From pole to pole: pi, not 2 through the middle; a graph's ways are a bit longer.
+  EXPECT_NEAR (distance.back(), M_PI, 0.1 * M_PI);
+  EXPECT_GT (distance.back(), 3.1f);
+}
+
+TEST (Surface, NeverBridgesAGap)
+{
+  // Two bodies that all but touch: the gap is narrower than the points are apart.
+  Points points = sphere (3000);
+  const Points other = sphere (3000, Eigen::Vector3f (2.02f, 0, 0));
+  points.insert (points.end(), other.begin(), other.end());
+  const Surface surface = makeSurface (points, 2);
+  for (int i = 0; i < surface.size(); ++i)
+    for (const SurfaceEdge* e = surface.graph.begin (i); e != surface.graph.end (i);
+         ++e)
+      EXPECT_EQ (i < 3000, e->to < 3000) << i << " " << e->to;
+}
+
+TEST (Surface, SeesItsBorder)
+{
+  Points points;
+  for (int y = 0; y < 30; ++y)
+    for (int x = 0; x < 30; ++x)
+      points.emplace_back (0.1f * x, 0.1f * y, 0.0f);
+  const Surface surface = makeSurface (points, 1);
+  EXPECT_TRUE (surface.border[0]);
+  EXPECT_TRUE (surface.border[15]);
+  EXPECT_FALSE (surface.border[15 * 30 + 15]);
+}
+
+TEST (Surface, DustIsNotOnIt)
+{
+  Points points = sphere (3000);
+  std::mt19937 random (3);
+  std::uniform_real_distribution<float> place (-1.5f, 1.5f);
+  std::vector<char> is_dust (points.size(), 0);
+  while (points.size() < 3600) {
+    const Eigen::Vector3f p (place (random), place (random), place (random));
+    if (std::abs (p.norm() - 1.0f) < 0.1f)
+      continue;
+    points.push_back (p);
+    is_dust.push_back (1);
+  }
+  const std::vector<char> kept = onSurface (points, 2);
+  int dust = 0;
+  int lost = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    dust += is_dust[i] && kept[i];
+    lost += !is_dust[i] && !kept[i];
+  }
+  EXPECT_LE (dust, 30);
+  EXPECT_LE (lost, 3);
+}
+
+TEST (SurfaceSegments, CutEvenlyAndHoldTogether)
+{
+  const Surface surface = makeSurface (sphere (3000), 2);
+  const SurfaceSegments coarse = cutSurface (surface, 10, {});
+  const SurfaceSegments fine = cutSurface (surface, 40, coarse.seeds);
+  ASSERT_EQ (fine.size(), 40);
+  for (int k = 0; k < 10; ++k)
+    EXPECT_EQ (fine.seeds[k], coarse.seeds[k]);
+  std::vector<int> sizes (40, 0);
+  for (const int label : fine.label)
+    ++sizes.at (label);
+  for (const int size : sizes)
+    EXPECT_GT (size, 15);
+  for (const auto& members : fine.members) {
+    float sum = 0.0f;
+    for (const Membership& m : members)
+      sum += m.weight;
+    EXPECT_NEAR (sum, 1.0f, 1e-5f);
+  }
+  std::set<int> linked;
+  for (const SegmentLink& link : fine.links) {
+    EXPECT_LT (link.first, link.second);
+    linked.insert (link.first);
+    linked.insert (link.second);
+  }
+  EXPECT_EQ (linked.size(), 40u);
+}
+
+TEST (SurfaceSegments, PiecesHangTogether)
+{
+  Points points = sphere (1500);
+  const Points other = sphere (500, Eigen::Vector3f (5.0f, 0, 0));
+  points.insert (points.end(), other.begin(), other.end());
+  const SurfaceSegments segments = cutSurface (makeSurface (points, 1), 20, {});
+  int across = 0;
+  for (const SegmentLink& link : segments.links)
+    across += (segments.seeds[link.first] < 1500) != (segments.seeds[link.second] < 1500);
+  EXPECT_EQ (across, 1);
+}
+
+TEST (Thinning, KeepsAboutTheNumberAndSpreads)
+{
+  const Points points = sphere (20000);
+  const std::vector<int> thin = thinPoints (points, {}, 1000);
+  EXPECT_NEAR (static_cast<double> (thin.size()), 1000.0, 200.0);
+  EXPECT_EQ (thinPoints (points, {}, 30000).size(), points.size());
+  const std::vector<int> spread = spreadPoints (points, thin, 6);
+  ASSERT_EQ (spread.size(), 6u);
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < i; ++j)
+      EXPECT_GT ((points[thin[spread[i]]] - points[thin[spread[j]]]).norm(), 0.8f);
+}
+
+} // namespace
