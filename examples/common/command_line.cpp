@@ -26,7 +26,7 @@ refusal (const CLI::App& app, const CLI::ParseError& error)
     return word.rfind ('-', 0) == 0
                ? word.substr (0, word.find ('=')) +
                      ": no such option; --help lists them"
-               : "'" + word + "': one word too many; options have --";
+               : "'" + word + "': one word too many and not an option; options have --";
   }
   if (dynamic_cast<const CLI::ConversionError*> (&error) != nullptr)
     return text.substr (text.find ("--")) +
