@@ -107,68 +107,30 @@ differentiate (const Points& p,
   }
 }
 
-/** One loop over all 27 sums, which stay in registers as long as there are enough. */
 template <typename S>
 PCL_MSF_INLINE void
 addNormalEquations (int n, const Block<S>& k, Sums& sums)
 {
-  S a00 = 0, a01 = 0, a02 = 0, a03 = 0, a04 = 0, a05 = 0;
-  S a11 = 0, a12 = 0, a13 = 0, a14 = 0, a15 = 0;
-  S a22 = 0, a23 = 0, a24 = 0, a25 = 0;
-  S a33 = 0, a34 = 0, a35 = 0;
-  S a44 = 0, a45 = 0;
-  S a55 = 0;
-  S b0 = 0, b1 = 0, b2 = 0, b3 = 0, b4 = 0, b5 = 0;
-#pragma omp simd reduction(+ : a00, a01, a02, a03, a04, a05, a11, a12, a13, a14, a15, a22, a23, a24, a25, a33, a34, a35, a44, a45, a55, b0, b1, b2, b3, b4, b5)
-  for (int i = 0; i < n; ++i) {
-    const S wb = k.wb[i], wi = k.wi[i], rb = k.brightness[i], ri = k.icp[i];
-    const S p0 = k.jb[0][i], q0 = k.ji[0][i];
-    const S p1 = k.jb[1][i], q1 = k.ji[1][i];
-    const S p2 = k.jb[2][i], q2 = k.ji[2][i];
-    const S p3 = k.jb[3][i], q3 = k.ji[3][i];
-    const S p4 = k.jb[4][i], q4 = k.ji[4][i];
-    const S p5 = k.jb[5][i], q5 = k.ji[5][i];
-    const S v0 = wb * p0, w0 = wi * q0;
-    a00 += v0 * p0 + w0 * q0;
-    a01 += v0 * p1 + w0 * q1;
-    a02 += v0 * p2 + w0 * q2;
-    a03 += v0 * p3 + w0 * q3;
-    a04 += v0 * p4 + w0 * q4;
-    a05 += v0 * p5 + w0 * q5;
-    b0 += v0 * rb + w0 * ri;
-    const S v1 = wb * p1, w1 = wi * q1;
-    a11 += v1 * p1 + w1 * q1;
-    a12 += v1 * p2 + w1 * q2;
-    a13 += v1 * p3 + w1 * q3;
-    a14 += v1 * p4 + w1 * q4;
-    a15 += v1 * p5 + w1 * q5;
-    b1 += v1 * rb + w1 * ri;
-    const S v2 = wb * p2, w2 = wi * q2;
-    a22 += v2 * p2 + w2 * q2;
-    a23 += v2 * p3 + w2 * q3;
-    a24 += v2 * p4 + w2 * q4;
-    a25 += v2 * p5 + w2 * q5;
-    b2 += v2 * rb + w2 * ri;
-    const S v3 = wb * p3, w3 = wi * q3;
-    a33 += v3 * p3 + w3 * q3;
-    a34 += v3 * p4 + w3 * q4;
-    a35 += v3 * p5 + w3 * q5;
-    b3 += v3 * rb + w3 * ri;
-    const S v4 = wb * p4, w4 = wi * q4;
-    a44 += v4 * p4 + w4 * q4;
-    a45 += v4 * p5 + w4 * q5;
-    b4 += v4 * rb + w4 * ri;
-    const S v5 = wb * p5, w5 = wi * q5;
-    a55 += v5 * p5 + w5 * q5;
-    b5 += v5 * rb + w5 * ri;
+  int at = 0;
+  for (int r = 0; r < 6; ++r) {
+    S vb[kBlock];
+    S vi[kBlock];
+    S b = 0;
+#pragma omp simd reduction(+ : b)
+    for (int i = 0; i < n; ++i) {
+      vb[i] = k.wb[i] * k.jb[r][i];
+      vi[i] = k.wi[i] * k.ji[r][i];
+      b += vb[i] * k.brightness[i] + vi[i] * k.icp[i];
+    }
+    sums.b[r] += static_cast<double> (b);
+    for (int c = r; c < 6; ++c) {
+      S a = 0;
+#pragma omp simd reduction(+ : a)
+      for (int i = 0; i < n; ++i)
+        a += vb[i] * k.jb[c][i] + vi[i] * k.ji[c][i];
+      sums.a[at++] += static_cast<double> (a);
+    }
   }
-  const S a[21] = {a00, a01, a02, a03, a04, a05, a11, a12, a13, a14, a15,
-                   a22, a23, a24, a25, a33, a34, a35, a44, a45, a55};
-  const S b[6] = {b0, b1, b2, b3, b4, b5};
-  for (int j = 0; j < 21; ++j)
-    sums.a[j] += static_cast<double> (a[j]);
-  for (int j = 0; j < 6; ++j)
-    sums.b[j] += static_cast<double> (b[j]);
 }
 
 template <typename S, Mode mode>
