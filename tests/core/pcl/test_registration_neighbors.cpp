@@ -100,7 +100,9 @@ TEST_F (NeighborRegistration, SaysWhatItCannotTake)
   registration.addInputTarget (cloudOf (target));
   EXPECT_THAT (refused(), HasSubstr ("one target"));
   registration.setInputTarget (cloudOf (target));
-  registration.setSegmentation ({pcl::PointIndices{{}, {0, 1, 2}}});
+  std::vector<pcl::PointIndices> clusters (1);
+  clusters[0].indices = {0, 1, 2};
+  registration.setSegmentation (clusters);
   EXPECT_THAT (refused(), HasSubstr ("clearSegmentation"));
   registration.clearSegmentation();
   registration.setCorrespondence (CorrespondenceMethod::Projective);
