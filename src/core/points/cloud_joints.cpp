@@ -13,22 +13,22 @@ namespace pcl_msf {
 namespace {
 
 /** Covariance of the turn and of where `at` is moved to, of a part's pose. */
-Eigen::Matrix<double, 6, 6>
+Matrix6
 covarianceAt (const CloudPart& part, const Eigen::Vector3d& at)
 {
-  Eigen::Matrix<double, 6, 6> information = part.information;
+  Matrix6 information = part.information;
   // Translation and turn have different units: a ridge of each.
   const double turn = 1e-12 * information.topLeftCorner<3, 3>().trace() + 1e-300;
   const double shift = 1e-12 * information.bottomRightCorner<3, 3>().trace() + 1e-300;
   information.diagonal().head<3>().array() += turn;
   information.diagonal().tail<3>().array() += shift;
-  const Eigen::Matrix<double, 6, 6> covariance =
-      Eigen::LDLT<Eigen::Matrix<double, 6, 6>> (information)
-          .solve (Eigen::Matrix<double, 6, 6>::Identity());
+  const Matrix6 covariance =
+      Eigen::LDLT<Matrix6> (information)
+          .solve (Matrix6::Identity());
   const Eigen::Matrix3d r = part.target_from_source.rotation();
   const auto& p = part.target_from_source.parameters;
   const Eigen::Matrix3d left = leftJacobian ({p[0], p[1], p[2]});
-  Eigen::Matrix<double, 6, 6> change = Eigen::Matrix<double, 6, 6>::Identity();
+  Matrix6 change = Matrix6::Identity();
   change.topLeftCorner<3, 3>() = left;
   change.bottomLeftCorner<3, 3>() = -skew (r * at) * left;
   return change * covariance * change.transpose();
@@ -63,7 +63,7 @@ jointBetween (const CloudPart& parent,
   joint.point = seam;
   if (joint.angle > 1e-6)
     joint.point += 0.5 * (across + a.cross (across) / std::tan (0.5 * joint.angle));
-  const Eigen::Matrix<double, 6, 6> covariance =
+  const Matrix6 covariance =
       covarianceAt (parent, joint.point) + covarianceAt (child, joint.point);
   // Turns are in the target's frame; deviations across and along the axis are not
   // changed by the parent's turn but for the axis' direction.

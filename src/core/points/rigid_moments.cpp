@@ -72,16 +72,16 @@ RigidMoments::solve (const RigidPose& start, Matrix6* information) const
 {
   Eigen::Matrix3d r = start.rotation();
   Eigen::Vector3d t = start.translation();
-  Eigen::Matrix<double, 6, 6> a;
+  Matrix6 a;
   for (int step = 0; step < kSteps; ++step) {
     const Vector12 z = numbersOf (r, t);
     const Eigen::Matrix<double, 12, 6> d = derivative (z);
     a = d.transpose() * h_ * d;
-    const Eigen::Matrix<double, 6, 1> g = d.transpose() * (h_ * z - v_);
-    Eigen::Matrix<double, 6, 6> damped = a;
+    const Vector6 g = d.transpose() * (h_ * z - v_);
+    Matrix6 damped = a;
     damped.diagonal().array() += 1e-9 * a.trace() + 1e-15;
-    const Eigen::Matrix<double, 6, 1> x =
-        -Eigen::LDLT<Eigen::Matrix<double, 6, 6>> (damped).solve (g);
+    const Vector6 x =
+        -Eigen::LDLT<Matrix6> (damped).solve (g);
     const Eigen::Matrix3d turn = rotationFromVector (x.head<3>());
     r = turn * r;
     t = turn * t + x.tail<3>();
@@ -90,7 +90,7 @@ RigidMoments::solve (const RigidPose& start, Matrix6* information) const
   }
   const RigidPose pose = RigidPose::fromMatrix (r, t);
   if (information) {
-    Eigen::Matrix<double, 6, 6> change = Eigen::Matrix<double, 6, 6>::Identity();
+    Matrix6 change = Matrix6::Identity();
     change.topLeftCorner<3, 3>() =
         leftJacobian ({pose.parameters[0], pose.parameters[1], pose.parameters[2]});
     // A turn about the origin moves the translation, too.
