@@ -6,7 +6,6 @@
 #include <pcl/io/pcd_io.h>
 
 #include "io/base/classic_locale.h"
-#include "io/formats/pcd_header.h"
 #include <pcl_msf/errors.h>
 
 #include <exception>
@@ -14,9 +13,9 @@
 namespace pcl_msf::io {
 
 pcl::PCLPointCloud2
-readPcd (const std::string& path, Viewpoint* viewpoint)
+readPcd (const std::string& path, Viewpoint* viewpoint, PcdShape shape)
 {
-  const int begin = checkPcdHeader (path);
+  const int begin = checkPcdHeader (path, shape);
   pcl::PCLPointCloud2 blob;
   Eigen::Vector4f t = Eigen::Vector4f::Zero();
   Eigen::Quaternionf q = Eigen::Quaternionf::Identity();

@@ -4,16 +4,19 @@
 
 #include <pcl/PCLPointCloud2.h>
 
+#include "io/formats/pcd_header.h"
 #include <pcl_msf/io/rgbd_images.h>
 
 #include <string>
 
 namespace pcl_msf::io {
 
-/** \brief Reads an organized .pcd file by PCL, whose reader crashes on damaged headers
+/** \brief Reads a .pcd file by PCL, whose reader crashes on damaged headers
  * and takes the decimal comma of the locale.
  * \param[out] viewpoint when not null: the file's VIEWPOINT \throws IoError */
 pcl::PCLPointCloud2
-readPcd (const std::string& path, Viewpoint* viewpoint = nullptr);
+readPcd (const std::string& path,
+         Viewpoint* viewpoint = nullptr,
+         PcdShape shape = PcdShape::Image);
 
 } // namespace pcl_msf::io

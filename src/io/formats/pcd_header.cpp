@@ -8,6 +8,7 @@
 #include "io/base/input_file.h"
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <set>
 #include <sstream>
@@ -130,10 +131,27 @@ checkPacked (InputFile& file, std::int64_t bytes)
     file.fail ("points", "cannot be unpacked; the file is damaged");
 }
 
+void
+checkSize (const InputFile& file,
+           const std::string& path,
+           PcdShape shape,
+           std::int64_t width,
+           std::int64_t height)
+{
+  constexpr std::int64_t most = std::numeric_limits<int>::max();
+  if (shape == PcdShape::Image)
+    checkImageSize (path, width, height);
+  else if (width < 0 || height < 0 || width > most || height > most ||
+           width * height > most)
+    file.fail ("WIDTH, HEIGHT",
+               std::to_string (width) + " x " + std::to_string (height) +
+                   " is no number of points; the header is damaged");
+}
+
 } // namespace
 
 int
-checkPcdHeader (const std::string& path)
+checkPcdHeader (const std::string& path, PcdShape shape)
 {
   InputFile file (path);
   const std::uint64_t whole = file.remaining();
@@ -143,11 +161,11 @@ checkPcdHeader (const std::string& path)
   const std::int64_t width = number (file, "WIDTH", header.at ("WIDTH")[0]);
   const std::int64_t height = number (file, "HEIGHT", header.at ("HEIGHT")[0]);
   const std::int64_t points = number (file, "POINTS", header.at ("POINTS")[0]);
-  if (height <= 1)
+  if (shape == PcdShape::Image && height <= 1)
     file.fail ("HEIGHT",
                "the cloud is not organized (height 1); save it as an image of width x "
                "height points");
-  checkImageSize (path, width, height);
+  checkSize (file, path, shape, width, height);
   if (points != width * height)
     file.fail ("POINTS",
                std::to_string (points) + ", not WIDTH x HEIGHT, " +

@@ -6,10 +6,16 @@
 
 namespace pcl_msf::io {
 
+/** \brief What a .pcd file has to hold. */
+enum class PcdShape {
+  Image, ///< width x height points of a camera, two rows or more
+  Points ///< points in any number of rows
+};
+
 /** \brief Checks a .pcd file's header against the size of the file, because PCL's
  * reader allocates what the header says. \return bytes before the header: those of a
  * byte order mark, or 0 \throws IoError */
 int
-checkPcdHeader (const std::string& path);
+checkPcdHeader (const std::string& path, PcdShape shape);
 
 } // namespace pcl_msf::io

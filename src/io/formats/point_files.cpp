@@ -21,7 +21,7 @@ namespace {
 PointFile
 readPcdPoints (const std::string& path)
 {
-  const pcl::PCLPointCloud2 blob = readPcd (path);
+  const pcl::PCLPointCloud2 blob = readPcd (path, nullptr, PcdShape::Points);
   const CloudFields fields (blob, path);
   PointFile result;
   const std::size_t count = std::size_t{blob.width} * blob.height;
