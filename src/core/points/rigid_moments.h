@@ -5,6 +5,8 @@
 #include "core/points/point_matching.h"
 #include <pcl_msf/rigid_pose.h>
 
+#include <algorithm>
+
 namespace pcl_msf {
 
 /** \brief What pulls at many points that move rigidly: their summed energy as a
@@ -12,7 +14,11 @@ namespace pcl_msf {
  * every pose, however far, and sums add up. */
 class RigidMoments {
 public:
-  RigidMoments() { h_.setZero(), v_.setZero(); }
+  RigidMoments()
+  {
+    std::fill_n (h_.data(), h_.size(), 0.0); // Eigen's own would be shared, aligned
+    std::fill_n (v_.data(), v_.size(), 0.0);
+  }
 
   void
   add (const Eigen::Vector3d& point, const PointPull& pull, double weight);
