@@ -68,8 +68,7 @@ joined (const Surface& s, int a, int b)
   const float length = edge.norm();
   if (length > kReach * std::max (s.spacing[a], s.spacing[b]))
     return false;
-  if (s.normals[a].dot (s.normals[b]) < kFacing ||
-      (length > 0.5f * s.median_spacing && leapsOff (s.points, s.normals, a, b)))
+  if (s.normals[a].dot (s.normals[b]) < kFacing)
     return false;
   const float steepest =
       std::max (std::abs (s.normals[a].dot (edge)), std::abs (s.normals[b].dot (edge)));

@@ -60,6 +60,16 @@ bothWays (const Neighbors& neighbors)
   return lists;
 }
 
+/** Does a step lead through a gap or a thin part, along both normals? */
+bool
+leapsOff (const Points& points, const Points& normals, int a, int b)
+{
+  constexpr float steep = 0.8f; // cosine
+  const Eigen::Vector3f edge = (points[b] - points[a]).normalized();
+  return std::abs (edge.dot (normals[a])) > steep &&
+         std::abs (edge.dot (normals[b])) > steep;
+}
+
 /** Turns a piece's normals to one side, going from the surest neighbour to the next. */
 void
 turnPiece (int first,
@@ -110,17 +120,6 @@ turnOutwards (const Points& points,
 }
 
 } // namespace
-
-bool
-leapsOff (const Points& points, const Points& normals, int a, int b)
-{
-  constexpr float parallel = 0.6f; // cosine between the normals, either side
-  constexpr float steep = 0.5f;    // cosine between step and normals
-  const Eigen::Vector3f step = (points[b] - points[a]).normalized();
-  return std::abs (normals[a].dot (normals[b])) > parallel &&
-         std::abs (step.dot (normals[a])) > steep &&
-         std::abs (step.dot (normals[b])) > steep;
-}
 
 std::vector<Eigen::Vector3f>
 surfaceNormals (const Points& points, const Neighbors& neighbors, int threads)

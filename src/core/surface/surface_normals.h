@@ -15,14 +15,6 @@ surfaceNormals (const std::vector<Eigen::Vector3f>& points,
                 const std::vector<std::vector<FoundPoint>>& neighbors,
                 int threads);
 
-/** \brief Does a step lead off the surface, through a gap or a thin part? Where two
- * normals are parallel, whatever their sides, a surface goes across them. */
-bool
-leapsOff (const std::vector<Eigen::Vector3f>& points,
-          const std::vector<Eigen::Vector3f>& normals,
-          int a,
-          int b);
-
 /** \brief How far a point is from the plane of its neighbours, and how far these are
  * from it themselves (one deviation). */
 struct PlaneFit {
