@@ -14,7 +14,7 @@ namespace pcl_msf {
 
 /** \brief How a point of the source finds the target's. */
 enum class CorrespondenceMethod {
-  Auto,           ///< Projective where all clouds are organized, else NearestNeighbor
+  Auto,           ///< NearestNeighbor where the source or the only target has no grid
   Projective,     ///< by the camera: brightness and projective ICP
   NearestNeighbor ///< by place and normal, see CloudFlowEstimator
 };

@@ -115,10 +115,8 @@ PiecewiseRigidRegistration<PointT>::usesNeighbors() const
 {
   if (correspondence_ != CorrespondenceMethod::Auto)
     return correspondence_ == CorrespondenceMethod::NearestNeighbor;
-  return aligned_->height == 1 ||
-         std::any_of (targets_.begin(), targets_.end(), [] (const auto& target) {
-           return target->height == 1;
-         });
+  // Of a window, the misfit of a single target is told.
+  return aligned_->height == 1 || (targets_.size() == 1 && targets_[0]->height == 1);
 }
 
 template <typename PointT>

@@ -129,8 +129,12 @@ WindowSolve::pairSchedule (int finest_level) const
 void
 WindowSolve::addSpreads (std::vector<Round>& rounds)
 {
+  const double share = (rounds.back().end - rounds.back().begin) / (1 + kSpreads);
+  rounds.back().end = rounds.back().begin + share;
   for (int i = 0; i < kSpreads; ++i) {
     Round again = rounds.back();
+    again.begin += share;
+    again.end += share;
     again.anew = false;
     again.spread = true;
     again.measure = i + 1 == kSpreads;

@@ -218,6 +218,7 @@ TEST_F (InPlace, RefilledCloudsAreJudgedInAlign)
     SCOPED_TRACE (refill.remedy);
     source_ = RigidPair::reference();
     Registration registration;
+    registration.setCorrespondence (CorrespondenceMethod::Projective);
     give (registration);
     registration.setIndices (firstIndices (kWidth * kHeight));
     registration.align (output_);

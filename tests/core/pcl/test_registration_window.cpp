@@ -192,7 +192,6 @@ TEST (RegistrationWindow, NamesTheTargetThatDoesNotFit)
   row->width = row->size();
   row->height = 1;
   EXPECT_THAT (refusal ({row, view (1)}), HasSubstr ("target 1 of 2"));
-  EXPECT_THAT (refusal ({row}), HasSubstr ("target"));
 }
 
 TEST (RegistrationWindow, NineFramesAreNotTooMany)
