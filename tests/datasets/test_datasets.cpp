@@ -98,6 +98,15 @@ TEST (Datasets, ADepthScaleCountsOrIsRefused)
     }
 }
 
+TEST (Datasets, OpenByTheNameOfTheirKindToo)
+{
+  const TemporaryFolder folder;
+  writeSequence (smallSequence(), folder ("case"));
+  for (const char* name : {"cases", "auto"})
+    EXPECT_EQ (io::openDataset (name, folder ("case")).size(), 1U);
+  EXPECT_THROW (io::openDataset ("csaes", folder ("case")), InvalidInput);
+}
+
 TEST (Datasets, AskForTheKindWhenTwoFit)
 {
   const TemporaryFolder folder;

@@ -129,4 +129,14 @@ openDataset (DatasetKind kind,
              const std::string& path,
              const DatasetOptions& options = {});
 
+/** \brief The same for a kind's name, as programs written for 0.1.0 give it: see
+ * datasetKindFromName. */
+inline std::vector<std::shared_ptr<const RgbdSequence>>
+openDataset (const std::string& kind,
+             const std::string& path,
+             const DatasetOptions& options = {})
+{
+  return openDataset (datasetKindFromName (kind), path, options);
+}
+
 } // namespace pcl_msf::io
