@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kCoarsestLevel = 2; // the first solve of two frames
 constexpr int kSpreads = 2; // how often motions spread from segment to segment there
-constexpr double kEnoughJumps = 0.02; // of the segments, for another solve
+constexpr double kEnoughJumps = 0.05; // of the segments, for another solve
 constexpr int kStartLevel = 1;        // their poses are compared at half resolution
 constexpr int kLaterIterations = 4;   // of a round after the first at the finest level
 constexpr double kLeastIntensityNoise = 0.005;
