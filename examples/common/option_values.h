@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/number_text.h"
+#include <pcl_msf/lens_distortion.h>
 #include <pcl_msf/pinhole_camera.h>
 
 #include <algorithm>
@@ -108,6 +109,20 @@ parseCamera (const std::string& text, PinholeCamera& camera)
   camera.fy = numbers[1];
   camera.cx = numbers[2];
   camera.cy = numbers[3];
+  return true;
+}
+
+/** \brief "K1,K2,P1,P2" or "K1,K2,P1,P2,K3", OpenCV's order. */
+inline bool
+parseDistortion (const std::string& text, LensDistortion& lens)
+{
+  double numbers[5] = {};
+  double four[4];
+  if (parseList (text, ',', four))
+    std::copy (four, four + 4, numbers);
+  else if (!parseList (text, ',', numbers))
+    return false;
+  lens = {numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]};
   return true;
 }
 

@@ -42,6 +42,33 @@ addCamera (CLI::App& app, const std::string& help, std::optional<PinholeCamera>&
 }
 
 CLI::Option*
+addDistortion (CLI::App& app,
+               const std::string& name,
+               const std::string& help,
+               const std::function<void (const LensDistortion&)>& take)
+{
+  return addOption (
+      app, name, "K1,K2,P1,P2[,K3]", help, [take] (const std::string& text) {
+        LensDistortion lens;
+        const bool read = parseDistortion (text, lens);
+        if (read)
+          take (lens);
+        return read;
+      });
+}
+
+CLI::Option*
+addDistortion (CLI::App& app,
+               const std::string& help,
+               std::optional<LensDistortion>& value)
+{
+  return addDistortion (app,
+                        "--distortion",
+                        help,
+                        [&value] (const LensDistortion& lens) { value = lens; });
+}
+
+CLI::Option*
 addDepthScale (CLI::App& app, const std::string& help, std::optional<double>& value)
 {
   return addOption (
@@ -64,6 +91,9 @@ void
 addReadingOptions (CLI::App& app, io::DatasetOptions& options)
 {
   addCamera (app, "pinhole camera of the frames, pixels [their own]", options.camera);
+  addDistortion (app,
+                 "of the frames' images, taken out; OpenCV's order [their own]",
+                 options.distortion);
   addDepthScale (app,
                  "units per metre of the frames' 16-bit depth [their own]",
                  options.depth_scale);

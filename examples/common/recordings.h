@@ -5,6 +5,7 @@
 #include "common/command_line.h"
 #include <pcl_msf/io/datasets.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,6 +27,19 @@ resultPairs (const std::string& folder);
 /** \brief Adds --camera FX,FY,CX,CY. */
 CLI::Option*
 addCamera (CLI::App& app, const std::string& help, std::optional<PinholeCamera>& value);
+
+/** \brief Adds an option for K1,K2,P1,P2[,K3]. \param take is called with the lens */
+CLI::Option*
+addDistortion (CLI::App& app,
+               const std::string& name,
+               const std::string& help,
+               const std::function<void (const LensDistortion&)>& take);
+
+/** \brief Adds --distortion: the frames' images are freed from it. */
+CLI::Option*
+addDistortion (CLI::App& app,
+               const std::string& help,
+               std::optional<LensDistortion>& value);
 
 /** \brief Adds --depth-scale, units per metre, above 0. */
 CLI::Option*

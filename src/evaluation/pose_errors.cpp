@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 
 namespace pcl_msf::evaluation {
 
@@ -37,6 +38,17 @@ bodyOfSegments (const cv::Mat& segments, int count, const cv::Mat& labels)
       }
   }
   return bodies;
+}
+
+/** Squared error in standard deviations; motions are small, so the parameters'
+ * difference is the error. */
+double
+normalizedSquare (const SegmentMotion& segment, const RigidPose& truth)
+{
+  Vector6 error;
+  for (int i = 0; i < 6; ++i)
+    error[i] = segment.current_from_reference.parameters[i] - truth.parameters[i];
+  return error.dot (segment.information * error);
 }
 
 struct PointPairs {
@@ -71,6 +83,8 @@ SegmentErrors::SegmentErrors()
 , translation_mm (rotation_deg)
 , median_rotation_deg (rotation_deg)
 , median_translation_mm (rotation_deg)
+, normalized_square (rotation_deg)
+, median_normalized_square (rotation_deg)
 {}
 
 PoseError
@@ -89,7 +103,7 @@ segmentErrors (const SceneFlow& estimate,
   requireImage ("labels", labels, CV_32SC1, estimate.labels.size());
   const auto count = static_cast<int> (estimate.segments.size());
   const std::vector<int> body_of = bodyOfSegments (estimate.labels, count, labels);
-  std::vector<double> rotations, translations;
+  std::vector<double> rotations, translations, squares;
   double points = 0.0, rotation = 0.0, translation = 0.0;
   for (int k = 0; k < count; ++k) {
     const int body = body_of[k];
@@ -106,6 +120,8 @@ segmentErrors (const SceneFlow& estimate,
     rotation += segment.points * error.rotation_deg;
     translation += segment.points * error.translation_mm;
     points += segment.points;
+    if (segment.status == MotionStatus::Determined)
+      squares.push_back (normalizedSquare (segment, *bodies[body]));
   }
   SegmentErrors result;
   if (rotations.empty())
@@ -115,6 +131,11 @@ segmentErrors (const SceneFlow& estimate,
   result.translation_mm = translation / points;
   result.median_rotation_deg = median (std::move (rotations));
   result.median_translation_mm = median (std::move (translations));
+  if (squares.empty())
+    return result;
+  result.normalized_square =
+      std::accumulate (squares.begin(), squares.end(), 0.0) / squares.size();
+  result.median_normalized_square = median (std::move (squares));
   return result;
 }
 

@@ -59,16 +59,16 @@ ColorRenderer::ColorRenderer (const SceneModel& scene, unsigned seed, int supers
 }
 
 cv::Mat
-ColorRenderer::render (const FrameView& view,
+ColorRenderer::render (const ImageViews& views,
                        const std::vector<ViewHit>& hits,
                        int threads) const
 {
-  const cv::Size size = view.size();
+  const cv::Size size = views.size();
   cv::Mat image (size, CV_32FC3);
   parallelFor (threads, size.height, 4, [&] (int v) {
     auto* row = image.ptr<cv::Vec3f> (v);
     for (int u = 0; u < size.width; ++u) {
-      const Eigen::Vector3f color = pixelColor (view, hits, u, v);
+      const Eigen::Vector3f color = pixelColor (views.row (v), hits, u, v);
       row[u] = {color.x(), color.y(), color.z()};
     }
   });

@@ -13,10 +13,10 @@ class ColorRenderer {
 public:
   ColorRenderer (const SceneModel& scene, unsigned seed, int supersampling);
 
-  /** \param hits of all pixel centres of the view
+  /** \param hits of all pixel centres of the views
    * \return CV_32FC3, BGR, 0 .. 255 and somewhat beyond */
   cv::Mat
-  render (const FrameView& view, const std::vector<ViewHit>& hits, int threads) const;
+  render (const ImageViews& views, const std::vector<ViewHit>& hits, int threads) const;
 
 private:
   Eigen::Vector3f

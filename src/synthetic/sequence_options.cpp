@@ -8,6 +8,24 @@
 #include <string>
 
 namespace pcl_msf::synthetic {
+namespace {
+
+/** The one of a list that has the name. */
+template <typename Kind>
+Kind
+named (const std::string& name, const std::vector<Kind>& all, const char* what)
+{
+  std::string names;
+  for (const Kind kind : all) {
+    if (name == toString (kind))
+      return kind;
+    names += std::string (names.empty() ? "" : ", ") + toString (kind);
+  }
+  throw InvalidInput (std::string ("no ") + what + " is called '" + name +
+                      "'; there are " + names);
+}
+
+} // namespace
 
 const char*
 toString (SceneKind scene)
@@ -35,6 +53,38 @@ toString (SceneKind scene)
   return "unknown";
 }
 
+const char*
+toString (Sensor sensor)
+{
+  switch (sensor) {
+  case Sensor::Ideal:
+    return "none";
+  case Sensor::Kinect:
+    return "kinect";
+  case Sensor::White:
+    return "white";
+  case Sensor::RealSense:
+    return "realsense";
+  case Sensor::TimeOfFlight:
+    return "tof";
+  case Sensor::Stereo:
+    return "stereo";
+  }
+  return "unknown";
+}
+
+const std::vector<Sensor>&
+allSensors ()
+{
+  static const std::vector<Sensor> sensors{Sensor::Ideal,
+                                           Sensor::White,
+                                           Sensor::Kinect,
+                                           Sensor::RealSense,
+                                           Sensor::TimeOfFlight,
+                                           Sensor::Stereo};
+  return sensors;
+}
+
 const std::vector<SceneKind>&
 allScenes ()
 {
@@ -53,13 +103,22 @@ allScenes ()
 SceneKind
 sceneFromName (const std::string& name)
 {
-  std::string names;
-  for (const SceneKind scene : allScenes()) {
-    if (name == toString (scene))
-      return scene;
-    names += std::string (names.empty() ? "" : ", ") + toString (scene);
-  }
-  throw InvalidInput ("no scene is called '" + name + "'; there are " + names);
+  return named (name, allScenes(), "scene");
+}
+
+Sensor
+sensorFromName (const std::string& name)
+{
+  return named (name, allSensors(), "sensor");
+}
+
+PinholeCamera
+SequenceOptions::usedCamera() const
+{
+  if (camera.fx != 0.0)
+    return camera;
+  const double f = 0.82 * width;
+  return {f, f, 0.5 * (width - 1), 0.5 * (height - 1)};
 }
 
 bool
@@ -76,9 +135,18 @@ SequenceOptions::isValid (std::string* why) const
   check ("height", height, 16, 4096);
   check ("frames", frames, 1, 1000);
   check ("supersampling", supersampling, 1, 8);
+  check ("sensor", static_cast<int> (sensor), 0, allSensors().size() - 1.0);
   check ("motion_pixels", motion_pixels, 0, 200);
+  check ("depth_shift_x", effects.depth_shift_x, -20, 20);
+  check ("depth_shift_y", effects.depth_shift_y, -20, 20);
+  check ("depth_delay", effects.depth_delay, -1, 1);
+  check ("rolling_shutter", effects.rolling_shutter, 0, 1);
+  check ("exposure_change", effects.exposure_change.value_or (0.0), 0, 0.5);
+  check ("vignette", effects.vignette.value_or (0.0), 0, 1);
   if (problem.empty() && camera.fx != 0.0)
     camera.isValid (width, height, &problem);
+  if (problem.empty())
+    effects.distortion.isValid (usedCamera(), width, height, &problem);
   if (why)
     *why = problem;
   return problem.empty();

@@ -2,7 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/base/parallel_for.h"
 #include <pcl_msf/errors.h>
+#include <synthetic/color_camera.h>
 #include <synthetic/color_renderer.h>
+#include <synthetic/lattice_noise.h>
 #include <synthetic/sensor_model.h>
 #include <synthetic/truth.h>
 
@@ -14,15 +16,7 @@ namespace {
 
 constexpr int shutter_samples = 7;
 constexpr double shutter = 0.5; ///< share of the frame interval
-
-PinholeCamera
-cameraOf (const SequenceOptions& options)
-{
-  if (options.camera.fx != 0.0)
-    return options.camera;
-  const double f = 0.82 * options.width;
-  return {f, f, 0.5 * (options.width - 1), 0.5 * (options.height - 1)};
-}
+constexpr int rows_at_once = 4; ///< of a rolling shutter
 
 /** The phase per frame that gives the wanted image motion, found on a small image. */
 double
@@ -66,7 +60,7 @@ public:
   : options_ (options)
   , threads_ (threadCount (options.threads))
   , scene_ (buildScene (options.scene, options.seed))
-  , camera_ (cameraOf (options))
+  , camera_ (options.usedCamera())
   , renderer_ (scene_, options.seed, options.supersampling)
   , rate_ (rateFor (scene_, camera_, options, threads_))
   {}
@@ -81,8 +75,13 @@ private:
     return {scene_, camera_, {options_.width, options_.height}, rate_ * frame};
   }
 
+  ImageViews
+  imageAt (double frame, const Lens& lens) const;
+
   cv::Mat
-  colorAt (int frame, const FrameView& view, const std::vector<ViewHit>& hits) const;
+  colorAt (double frame,
+           const ImageViews& views,
+           const std::vector<ViewHit>& hits) const;
 
   SyntheticFrame
   frameAt (int frame, const FrameView& view, const std::vector<ViewHit>& hits) const;
@@ -98,35 +97,69 @@ private:
   double rate_; ///< phase per frame
 };
 
+/** What the camera's rows see while it reads them. */
+ImageViews
+Studio::imageAt (double frame, const Lens& lens) const
+{
+  const cv::Size size (options_.width, options_.height);
+  const double share = options_.effects.rolling_shutter;
+  const int count = share > 0.0 ? (size.height + rows_at_once - 1) / rows_at_once : 1;
+  std::vector<std::unique_ptr<const FrameView>> views (count);
+  parallelFor (threads_, count, 1, [&] (int i) {
+    const double time = share * ((i + 0.5) / count - 0.5);
+    views[i] = std::make_unique<FrameView> (
+        scene_, camera_, size, rate_ * (frame + time), lens);
+  });
+  return ImageViews (std::move (views));
+}
+
 cv::Mat
-Studio::colorAt (int frame,
-                 const FrameView& view,
+Studio::colorAt (double frame,
+                 const ImageViews& views,
                  const std::vector<ViewHit>& hits) const
 {
   if (!options_.motion_blur)
-    return renderer_.render (view, hits, threads_);
-  cv::Mat sum = cv::Mat::zeros (view.size(), CV_32FC3);
+    return renderer_.render (views, hits, threads_);
+  cv::Mat sum = cv::Mat::zeros (views.size(), CV_32FC3);
   for (int i = 0; i < shutter_samples; ++i) {
     const double time = shutter * (i / (shutter_samples - 1.0) - 0.5);
-    const FrameView moment = viewAt (frame + time);
+    const ImageViews moment = imageAt (frame + time, {options_.effects.distortion});
     sum += renderer_.render (moment, castPixels (moment, threads_), threads_);
   }
   return sum / shutter_samples;
 }
 
+/** \param view ideal, with its hits */
 SyntheticFrame
 Studio::frameAt (int frame,
                  const FrameView& view,
                  const std::vector<ViewHit>& hits) const
 {
+  const CameraEffects& effects = options_.effects;
+  const Lens color_lens{effects.distortion};
+  const Lens depth_lens{effects.distortion,
+                        {effects.depth_shift_x, effects.depth_shift_y}};
+  const bool exact = color_lens.isNone() && effects.rolling_shutter == 0.0;
+  const bool together =
+      effects.depth_delay == 0.0 && depth_lens.shift == Eigen::Vector2d::Zero();
+  const ImageViews color_views =
+      exact ? ImageViews (view) : imageAt (frame, color_lens);
+  const ImageViews depth_views =
+      exact && together ? ImageViews (view)
+                        : imageAt (frame + effects.depth_delay, depth_lens);
+  const std::vector<ViewHit> color_hits =
+      exact ? hits : castPixels (color_views, threads_);
+  const std::vector<ViewHit> depth_hits =
+      together ? color_hits : castPixels (depth_views, threads_);
   SyntheticFrame result;
-  result.depth = depthOf (view, hits);
-  cv::Mat color = colorAt (frame, view, hits);
-  if (options_.sensor == Sensor::Kinect) {
-    const std::uint64_t key = 65537ULL * options_.seed + frame;
-    applyKinectDepth (view, hits, key, threads_, result.depth);
-    applyKinectColor (key, threads_, color);
-  }
+  result.depth = depthOf (view.size(), depth_hits);
+  cv::Mat color = colorAt (frame, color_views, color_hits);
+  const std::uint64_t device = 65537ULL * options_.noise_seed.value_or (options_.seed);
+  const std::uint64_t key = device + frame;
+  applyDepthSensor (options_.sensor,
+                    {depth_views, depth_hits, color, mixed (device), key, threads_},
+                    result.depth);
+  applyColorCamera (options_.sensor, effects, key, threads_, color);
   color.convertTo (result.color, CV_8UC3);
   return result;
 }

@@ -26,9 +26,8 @@ isSeen (const FrameView& view, const Eigen::Vector3d& point, const Eigen::Vector
 
 template <typename F>
 void
-forEachHit (const FrameView& view, const std::vector<ViewHit>& hits, F&& f)
+forEachHit (const cv::Size& size, const std::vector<ViewHit>& hits, F&& f)
 {
-  const cv::Size size = view.size();
   for (int v = 0; v < size.height; ++v)
     for (int u = 0; u < size.width; ++u) {
       const ViewHit& hit = hits[static_cast<std::size_t> (v) * size.width + u];
@@ -40,10 +39,10 @@ forEachHit (const FrameView& view, const std::vector<ViewHit>& hits, F&& f)
 } // namespace
 
 cv::Mat
-depthOf (const FrameView& view, const std::vector<ViewHit>& hits)
+depthOf (const cv::Size& size, const std::vector<ViewHit>& hits)
 {
-  cv::Mat depth (view.size(), CV_32FC1, cv::Scalar::all (nan));
-  forEachHit (view, hits, [&] (int u, int v, const ViewHit& hit) {
+  cv::Mat depth (size, CV_32FC1, cv::Scalar::all (nan));
+  forEachHit (size, hits, [&] (int u, int v, const ViewHit& hit) {
     depth.at<float> (v, u) = static_cast<float> (hit.depth);
   });
   return depth;
@@ -55,7 +54,7 @@ labelsOf (const SceneModel& scene,
           const std::vector<ViewHit>& hits)
 {
   cv::Mat labels (view.size(), CV_32SC1, cv::Scalar::all (-1));
-  forEachHit (view, hits, [&] (int u, int v, const ViewHit& hit) {
+  forEachHit (view.size(), hits, [&] (int u, int v, const ViewHit& hit) {
     labels.at<int> (v, u) = scene.parts[hit.part].body;
   });
   return labels;
@@ -102,7 +101,7 @@ meanMotion (const SceneModel& scene,
   double sum[2] = {0.0, 0.0};
   int count[2] = {0, 0};
   const double most = from.size().width;
-  forEachHit (from, hits, [&] (int u, int v, const ViewHit& hit) {
+  forEachHit (from.size(), hits, [&] (int u, int v, const ViewHit& hit) {
     const Eigen::Vector3d later = to.part (hit.part).place (hit.material);
     double length = most;
     if (later.z() > 1e-6)

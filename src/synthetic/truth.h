@@ -11,7 +11,7 @@ namespace pcl_msf::synthetic {
 
 /** \brief Depth at pixel centres, CV_32FC1, NaN where nothing is hit. */
 cv::Mat
-depthOf (const FrameView& view, const std::vector<ViewHit>& hits);
+depthOf (const cv::Size& size, const std::vector<ViewHit>& hits);
 
 /** \brief Body of each pixel, CV_32SC1, -1 where nothing is hit. */
 cv::Mat

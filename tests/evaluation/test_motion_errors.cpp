@@ -118,6 +118,22 @@ TEST (SegmentErrors, MeansAreWeightedByPoints)
   EXPECT_NEAR (e.median_rotation_deg, 0.5, 1e-9);
 }
 
+TEST (SegmentErrors, AreHeldAgainstTheirInformation)
+{
+  SceneFlow flow = twoSegments();
+  flow.segments[0].information (3, 3) = 1e6; // known to a millimetre, off by two
+  flow.segments[1].information (5, 5) = 1e6; // off by six
+  const std::vector<std::optional<RigidPose>> bodies{pose ({0, 0, 0}, {1, 0, 0})};
+  const cv::Mat labels = partition ({0, 0, 0, 0});
+  const auto both = segmentErrors (flow, labels, bodies);
+  EXPECT_NEAR (both.normalized_square, (4.0 + 36.0) / 2, 1e-6);
+  EXPECT_NEAR (both.median_normalized_square, 20.0, 1e-6);
+  flow.segments[1].status = MotionStatus::Supported; // others know, not its own points
+  EXPECT_NEAR (segmentErrors (flow, labels, bodies).normalized_square, 4.0, 1e-6);
+  flow.segments[0].status = MotionStatus::Supported;
+  EXPECT_TRUE (std::isnan (segmentErrors (flow, labels, bodies).normalized_square));
+}
+
 TEST (SegmentErrors, SoftAndUnlabelledBodiesAreNotScored)
 {
   const std::vector<std::optional<RigidPose>> bodies{pose ({0, 0, 0}, {1, 0, 0}), {}};

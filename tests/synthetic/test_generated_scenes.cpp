@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
+#include <pcl_msf/io/undistortion.h>
 #include <pcl_msf/scene_flow_estimator.h>
 #include <pcl_msf/synthetic/synthetic_sequence.h>
 
@@ -101,6 +102,24 @@ INSTANTIATE_TEST_SUITE_P (
         Case{SceneKind::Articulated, MotionSize::Easy, Sensor::Kinect, 0.25},
         Case{SceneKind::Bending, MotionSize::Easy, Sensor::Ideal, 0.25},
         Case{SceneKind::Breathing, MotionSize::Easy, Sensor::Ideal, 0.25}));
+
+TEST (Distortion, TakenOutLeavesWhatAnIdealCameraWouldGive)
+{
+  const Case room{SceneKind::StaticRoom, MotionSize::Large, Sensor::Ideal, 0.0};
+  const SyntheticSequence ideal = pair (room);
+  SequenceOptions options = ideal.options;
+  options.effects.distortion = {0.2624, -0.9531, -0.0054, 0.0026, 1.1633};
+  SyntheticSequence sequence = synthesize (options);
+  const double bent = meanError (estimate (sequence), sequence);
+  for (SyntheticFrame& frame : sequence.frames) {
+    io::RgbdImages images{frame.color, frame.depth, sequence.camera};
+    io::undistort (images, options.effects.distortion);
+    frame = {images.color, images.depth};
+  }
+  const double freed = meanError (estimate (sequence), sequence);
+  EXPECT_LT (freed, meanError (estimate (ideal), ideal) + 0.03);
+  EXPECT_LT (freed, 0.3 * bent);
+}
 
 TEST (BlendedMotions, FollowSoftSurfacesBetter)
 {

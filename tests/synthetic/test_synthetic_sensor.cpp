@@ -26,22 +26,22 @@ roomOptions (Sensor sensor)
   return options;
 }
 
-class KinectModel : public testing::Test {
+class WhiteModel : public testing::Test {
 protected:
   static void
   SetUpTestSuite ()
   {
     clean_ = synthesize (roomOptions (Sensor::Ideal));
-    noisy_ = synthesize (roomOptions (Sensor::Kinect));
+    noisy_ = synthesize (roomOptions (Sensor::White));
   }
 
   static SyntheticSequence clean_, noisy_;
 };
 
-SyntheticSequence KinectModel::clean_;
-SyntheticSequence KinectModel::noisy_;
+SyntheticSequence WhiteModel::clean_;
+SyntheticSequence WhiteModel::noisy_;
 
-TEST_F (KinectModel, DisparityIsQuantizedWithTheStatedNoise)
+TEST_F (WhiteModel, DisparityIsQuantizedWithTheStatedNoise)
 {
   double square = 0.0;
   int count = 0;
@@ -61,7 +61,7 @@ TEST_F (KinectModel, DisparityIsQuantizedWithTheStatedNoise)
   EXPECT_NEAR (std::sqrt (square / count), expected, 0.03 * expected);
 }
 
-TEST_F (KinectModel, DepthNoiseGrowsWithTheSquareOfDepth)
+TEST_F (WhiteModel, DepthNoiseGrowsWithTheSquareOfDepth)
 {
   double square[2] = {0.0, 0.0}, depth[2] = {0.0, 0.0};
   int count[2] = {0, 0};
@@ -83,7 +83,7 @@ TEST_F (KinectModel, DepthNoiseGrowsWithTheSquareOfDepth)
   EXPECT_NEAR (ratio, depths * depths, 0.2 * depths * depths);
 }
 
-TEST_F (KinectModel, HolesLieBesideNearerSurfacesAndOnGrazingOnes)
+TEST_F (WhiteModel, HolesLieBesideNearerSurfacesAndOnGrazingOnes)
 {
   int holes = 0, explained = 0, edges = 0, edge_holes = 0;
   for (int v = 1; v < 239; ++v)
@@ -119,7 +119,7 @@ TEST_F (KinectModel, HolesLieBesideNearerSurfacesAndOnGrazingOnes)
   EXPECT_GT (explained, 0.97 * holes);
 }
 
-TEST_F (KinectModel, ColourHasNoiseVignetteAndChangingExposure)
+TEST_F (WhiteModel, ColourHasNoiseVignetteAndChangingExposure)
 {
   double gains[4];
   for (int k = 0; k < 4; ++k) {
@@ -141,7 +141,7 @@ TEST_F (KinectModel, ColourHasNoiseVignetteAndChangingExposure)
              *std::min_element (gains, gains + 4) + 0.005);
 }
 
-TEST_F (KinectModel, ColourNoiseHasTheStatedSize)
+TEST_F (WhiteModel, ColourNoiseHasTheStatedSize)
 {
   // Neighbours' differences of the noise hold no vignette and no exposure.
   double square = 0.0;
@@ -159,7 +159,7 @@ TEST_F (KinectModel, ColourNoiseHasTheStatedSize)
   EXPECT_NEAR (std::sqrt (square / count), 2.5, 0.3);
 }
 
-TEST_F (KinectModel, TruthStaysExact)
+TEST_F (WhiteModel, TruthStaysExact)
 {
   EXPECT_EQ (cv::norm (clean_.truth[1].visible, noisy_.truth[1].visible, cv::NORM_INF),
              0.0);

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "evaluate_option_table.h"
 
+#include "common/camera_effects.h"
 #include "common/ranges.h"
 #include "common/recordings.h"
 
@@ -60,6 +61,11 @@ addInputOptions (CLI::App& app, EvaluateOptions& o)
       ->check (atLeast (0));
   addCamera (
       app, "pinhole camera in place of the data set's, pixels", o.reading.camera);
+  addDistortion (
+      app,
+      "of cases, TUM, folders and what is generated, taken out of the images "
+      "[the data set's]",
+      o.reading.distortion);
   addDepthScale (app,
                  "units per metre of depth in place of the data set's; not for those "
                  "that define it",
@@ -93,15 +99,20 @@ addGeneratedOptions (CLI::App& app, GeneratedOptions& g)
       "easy, large",
       g.motions,
       {{"easy", synthetic::MotionSize::Easy}, {"large", synthetic::MotionSize::Large}});
+  const Words<synthetic::Sensor> sensors = sensorWords();
   addWords<synthetic::Sensor> (
-      app,
-      "--sensor",
-      "none, kinect",
-      g.sensors,
-      {{"none", synthetic::Sensor::Ideal}, {"kinect", synthetic::Sensor::Kinect}});
+      app, "--sensor", wordList (sensors, ", "), g.sensors, sensors);
   addNumber (app, "--seed", "N", "of everything", g.seed);
+  addNumber (app,
+             "--noise-seeds",
+             "N",
+             "each sequence so often with other noise (Monte Carlo)",
+             g.noise_seeds)
+      ->check (atLeast (1));
   addSize (app, g.width, g.height);
   addNumber (app, "--frames", "N", "of a sequence", g.frames);
+  addSwitch (app, "--blur", "motion blur", g.motion_blur);
+  addCameraEffects (app, g.effects);
 }
 
 void

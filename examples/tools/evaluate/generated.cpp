@@ -3,6 +3,7 @@
 #include "generated.h"
 
 #include <pcl_msf/errors.h>
+#include <pcl_msf/io/undistortion.h>
 #include <pcl_msf/synthetic/synthetic_sequence.h>
 
 #include <mutex>
@@ -21,8 +22,9 @@ struct LastRendered {
 class GeneratedSequence : public io::RgbdSequence {
 public:
   GeneratedSequence (const synthetic::SequenceOptions& options,
+                     const LensDistortion& distortion,
                      std::shared_ptr<LastRendered> last)
-  : options_ (options), last_ (std::move (last))
+  : options_ (options), distortion_ (distortion), last_ (std::move (last))
   {}
 
   std::string
@@ -30,7 +32,9 @@ public:
   {
     return std::string (toString (options_.scene)) +
            (options_.motion == synthetic::MotionSize::Large ? "_large" : "_easy") +
-           (options_.sensor == synthetic::Sensor::Kinect ? "_kinect" : "_none");
+           "_" + toString (options_.sensor) +
+           (options_.noise_seed ? "_noise" + std::to_string (*options_.noise_seed)
+                                : "");
   }
 
   int
@@ -44,7 +48,9 @@ public:
   {
     const auto sequence = render();
     const synthetic::SyntheticFrame& frame = sequence->frames.at (k);
-    return {frame.color, frame.depth, sequence->camera};
+    io::RgbdImages images{frame.color, frame.depth, sequence->camera};
+    io::undistort (images, distortion_);
+    return images;
   }
 
   io::MotionTruth
@@ -71,6 +77,7 @@ private:
   }
 
   synthetic::SequenceOptions options_;
+  LensDistortion distortion_; ///< that frames are freed from
   std::shared_ptr<LastRendered> last_;
 };
 
@@ -113,6 +120,8 @@ openGenerated (const GeneratedOptions& options)
   one.frames = options.frames;
   one.seed = options.seed;
   one.threads = options.threads;
+  one.effects = options.effects;
+  one.motion_blur = options.motion_blur;
   one.successive_truth = options.frames > 2;
   std::string why;
   if (!one.isValid (&why))
@@ -123,7 +132,12 @@ openGenerated (const GeneratedOptions& options)
         one.scene = scene;
         one.motion = motion;
         one.sensor = sensor;
-        all.push_back (std::make_shared<GeneratedSequence> (one, last));
+        for (int noise = 0; noise < options.noise_seeds; ++noise) {
+          if (options.noise_seeds > 1)
+            one.noise_seed = noise;
+          all.push_back (std::make_shared<GeneratedSequence> (
+              one, options.distortion.value_or (LensDistortion()), last));
+        }
       }
   return all;
 }

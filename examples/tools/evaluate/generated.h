@@ -6,6 +6,7 @@
 #include <pcl_msf/synthetic/sequence_options.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,14 @@ struct GeneratedOptions {
                                              synthetic::MotionSize::Large};
   std::vector<synthetic::Sensor> sensors{synthetic::Sensor::Ideal,
                                          synthetic::Sensor::Kinect};
+  synthetic::CameraEffects effects;
+  bool motion_blur{false};
+  std::optional<LensDistortion> distortion; ///< that frames are freed from
   int width{640};
   int height{480};
   int frames{2};
   unsigned seed{1};
+  int noise_seeds{1}; ///< every sequence with so much different noise
   unsigned threads{0};
 };
 

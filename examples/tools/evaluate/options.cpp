@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "options.h"
 
+#include "common/camera_effects.h"
 #include "common/command_line.h"
 #include "core/base/number_text.h"
 #include "evaluate_option_table.h"
@@ -86,6 +87,7 @@ check (EvaluateOptions& options)
   takeDataset (options.words, options);
   expandMethods (options);
   options.generated.threads = options.threads;
+  options.generated.distortion = options.reading.distortion;
 }
 
 /** A name and what it is, as lines of the help. */
@@ -133,12 +135,16 @@ EvaluateOptions::settings() const
     const GeneratedOptions& g = generated;
     text += " size=" + std::to_string (g.width) + "x" + std::to_string (g.height) +
             " frames=" + std::to_string (g.frames) + " seed=" + std::to_string (g.seed);
+    if (g.noise_seeds > 1)
+      text += " noise_seeds=" + std::to_string (g.noise_seeds);
     for (const synthetic::SceneKind scene : g.scenes)
       text += std::string (" ") + toString (scene);
     for (const synthetic::MotionSize motion : g.motions)
       text += motion == synthetic::MotionSize::Easy ? " easy" : " large";
     for (const synthetic::Sensor sensor : g.sensors)
-      text += sensor == synthetic::Sensor::Ideal ? " none" : " kinect";
+      text += std::string (" ") + toString (sensor);
+    text += " sensor_models=2"; // 0.1.0's kinect is white
+    text += effectsText (g.effects) + (g.motion_blur ? " blur" : "");
   }
   else {
     text += std::string (" pass=") + toString (reading.pass) +
@@ -154,6 +160,8 @@ EvaluateOptions::settings() const
     if (reading.max_time_difference != io::DatasetOptions().max_time_difference)
       text += " max_time_difference=" + fixedText (reading.max_time_difference, 6);
   }
+  if (reading.distortion)
+    text += " distortion=" + distortionText (*reading.distortion);
   text += std::string (" pairs=") + (pairs == Pairs::Adjacent ? "adjacent" : "0-k") +
           " step=" + std::to_string (step) + " limit=" + std::to_string (limit) +
           " methods=";

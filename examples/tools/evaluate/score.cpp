@@ -77,6 +77,12 @@ addMotionColumns (Columns& c)
       {"segment_rot_median", "its median, deg", &Score::segment_rot_median, 3});
   c.push_back (
       {"segment_trans_median", "its median, mm", &Score::segment_trans_median, 2});
+  c.push_back ({"nees",
+                "squared pose error of determined segments by their information; 6 is "
+                "right",
+                &Score::nees,
+                2});
+  c.push_back ({"nees_median", "its median; 5.3 is right", &Score::nees_median, 2});
   c.push_back (
       {"ego_rot", "dominant motion against the camera's, deg", &Score::ego_rot, 4});
   c.push_back ({"ego_trans", "the same, mm", &Score::ego_trans, 2});

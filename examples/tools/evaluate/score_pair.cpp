@@ -119,6 +119,8 @@ PairScorer::scoreMotions (const Estimate& estimate, Score& s) const
   s.segment_trans = segments.translation_mm;
   s.segment_rot_median = segments.median_rotation_deg;
   s.segment_trans_median = segments.median_translation_mm;
+  s.nees = segments.normalized_square;
+  s.nees_median = segments.median_normalized_square;
 }
 
 void

@@ -6,6 +6,7 @@
 #include <pcl_msf/io/cloud_files.h>
 #include <pcl_msf/io/datasets.h>
 #include <pcl_msf/io/images.h>
+#include <pcl_msf/io/undistortion.h>
 
 #include <cmath>
 #include <future>
@@ -23,6 +24,7 @@ openSequence (const Options& options)
 {
   io::DatasetOptions dataset;
   dataset.camera = options.camera;
+  dataset.distortion = options.distortion;
   dataset.depth_scale = options.depth_scale;
   dataset.max_time_difference = options.max_time_difference;
   const auto sequences =
@@ -96,6 +98,8 @@ Inputs::loadFrame (int frame) const
                                 options_.depth_scale.value_or (1.0));
   if (!options_.color.empty())
     io::readColor (options_.color[frame], images);
+  if (options_.distortion)
+    io::undistort (images, *options_.distortion);
   return images;
 }
 

@@ -30,6 +30,11 @@ addInputOptions (CLI::App& app, Options& o)
       ->excludes (color)
       ->excludes (depth);
   addCamera (app, "pinhole camera, pixels; fitted to clouds when not given", o.camera);
+  addDistortion (app,
+                 "lens distortion, taken out of the images; OpenCV's order [a "
+                 "recording's own]",
+                 o.distortion)
+      ->excludes (app.get_option ("--cloud"));
   addDepthScale (app,
                  "units per metre of depth images or clouds [1000 for 16 bit, else 1]",
                  o.depth_scale);

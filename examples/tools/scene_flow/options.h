@@ -4,6 +4,7 @@
 
 #include "common/method_options.h"
 #include "common/shard.h"
+#include <pcl_msf/lens_distortion.h>
 #include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/pinhole_camera.h>
 
@@ -36,9 +37,10 @@ struct Options : MethodSettings {
   bool rigid{false};              ///< the whole scene is one body
   bool track{false};              ///< frame by frame, the reference is kept
   std::optional<PinholeCamera> camera;
-  std::optional<double> depth_scale; ///< units per metre
-  double max_time_difference{0.02};  ///< of images that a recording pairs, seconds
-  std::string output;                ///< folder; empty with a sequence = named after it
+  std::optional<LensDistortion> distortion; ///< that images are freed from
+  std::optional<double> depth_scale;        ///< units per metre
+  double max_time_difference{0.02}; ///< of images that a recording pairs, seconds
+  std::string output;               ///< folder; empty with a sequence = named after it
   std::vector<Output> outputs{Output::Flow,
                               Output::Cloud,
                               Output::Warped,

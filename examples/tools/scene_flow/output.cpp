@@ -119,7 +119,8 @@ writeOutcome (Outcome& outcome, const Options& options)
     io::writeReport ((folder / (name + ".json")).string(),
                      outcome.lastFlow(),
                      outcome.seconds,
-                     count);
+                     count,
+                     outcome.images[outcome.result.reference].distortion);
 }
 
 bool

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 // Renders an RGB-D sequence with exact truth into a folder.
+#include "common/camera_effects.h"
 #include "common/command_line.h"
 #include "common/interruption.h"
 #include "common/output_folder.h"
@@ -53,13 +54,14 @@ addSceneOptions (CLI::App& app, SequenceOptions& s)
              s.motion_pixels);
   addWord<Sensor> (app,
                    "--sensor",
-                   "whose noise",
+                   "whose noise; white is a kinect's without correlation",
                    s.sensor,
-                   {{"none", Sensor::Ideal}, {"kinect", Sensor::Kinect}});
+                   sensorWords());
   addNumber (app, "--width", "PX", "of an image", s.width);
   addNumber (app, "--height", "PX", "of an image", s.height);
   addNumber (app, "--frames", "N", "of the sequence", s.frames);
   addNumber (app, "--seed", "N", "places, colours, motions, noise", s.seed);
+  addNumber (app, "--noise-seed", "N", "of the noise alone [--seed]", s.noise_seed);
   addNumber (app, "--samples", "N", "colour rays per pixel and axis", s.supersampling);
   addSwitch (app, "--blur", "motion blur", s.motion_blur);
   addNumber (app, "--threads", "N", "0 = all; no influence on the result", s.threads);
@@ -91,6 +93,7 @@ declareOptions (CLI::App& app, SynthesizeOptions& options)
 {
   addText (app, "FOLDER", "PATH", "for the sequence", options.folder)->required();
   addSceneOptions (app, options.sequence);
+  addCameraEffects (app, options.sequence.effects);
   addWritingOptions (app, options.writing);
 }
 

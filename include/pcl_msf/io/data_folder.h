@@ -56,12 +56,17 @@ public:
   std::string
   cloudPath (int frame) const;
 
-  /** \brief Reads a frame, from images or else from a cloud.
+  /** \brief Reads a frame, from images or else from a cloud; images are freed from
+   * the distortion that camera.txt says.
    * \param depth_scale units per metre of the depth, whatever its type, and of clouds;
    * when not given integers have camera.txt's, floats and clouds are metres
    * \throws IoError, also when sizes differ */
   RgbdImages
   frame (int frame, std::optional<double> depth_scale = {}) const;
+
+  /** \brief The same with the distortion that the images have. */
+  RgbdImages
+  storedFrame (int frame, std::optional<double> depth_scale = {}) const;
 
   /** \brief True optical flow from frame 0. \return CV_32FC2, pixels, NaN = unknown;
    * empty when there is none */

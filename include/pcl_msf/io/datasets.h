@@ -35,6 +35,12 @@ struct DatasetOptions {
   /** \brief Camera of all frames, pixels; none (default) = the data set's own. */
   std::optional<PinholeCamera> camera;
 
+  /** \brief Distortion of all frames, from which they are freed when they are read;
+   * none (default) = the data set's own, where it says one, and none with `camera`. The
+   * camera stays, and truth belongs to the frames without distortion. Images of cases,
+   * TUM and folders only: the others have none and refuse it. */
+  std::optional<LensDistortion> distortion;
+
   /** \brief Units of depth per metre, > 0, of integers, floats and clouds; none
    * (default) = the data set's own for integers, metres for floats and clouds. Cases,
    * TUM, folders and clouds only: the others define their unit and refuse it. */
@@ -60,7 +66,8 @@ struct DatasetOptions {
  * - "tum": TUM RGB-D. Colour and depth by rgb.txt and depth.txt, paired as the
  *   benchmark's tool does; poses from groundtruth.txt at the colour's time, between
  *   neighbours that are both within `max_time_difference`. Camera from camera.txt, else
- *   the published one for a folder named after freiburg1, 2 or 3, else ROS' default.
+ *   the published one for a folder named after freiburg1, 2 or 3, else ROS' default;
+ *   distortion likewise (freiburg3's images are published without).
  * - "sintel": MPI-Sintel with its depth and camera files. Flow to the next frame as in
  *   the file; `visible` = neither in the occlusion nor in the invalid mask and inside
  *   the image. No scene flow.

@@ -69,15 +69,20 @@ struct RunSeconds {
 };
 
 /** \brief A result's report as JSON text; numbers that are not finite become null.
- * \param frames number of frames of the run */
+ * \param frames number of frames of the run \param removed distortion that the frames
+ * were freed from before: "camera" is the pinhole without it */
 std::string
-reportJson (const SceneFlow& scene_flow, const RunSeconds& seconds, int frames = 2);
+reportJson (const SceneFlow& scene_flow,
+            const RunSeconds& seconds,
+            int frames = 2,
+            const LensDistortion& removed = {});
 
 /** \brief Writes `reportJson` to a file. \throws IoError */
 void
 writeReport (const std::string& path,
              const SceneFlow& scene_flow,
              const RunSeconds& seconds,
-             int frames = 2);
+             int frames = 2,
+             const LensDistortion& removed = {});
 
 } // namespace pcl_msf::io

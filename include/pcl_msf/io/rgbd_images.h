@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/lens_distortion.h>
 #include <pcl_msf/pinhole_camera.h>
 
 #include <array>
@@ -31,6 +32,10 @@ struct RgbdImages {
    * of its own (intensities of ToF cameras, lidars, infrared; colours as floats):
    * CV_32FC1 or CV_32FC3 (BGR), as in the file; empty otherwise. See unifyColors. */
   cv::Mat raw_color{};
+
+  /** \brief What the images were freed from when they were loaded, see undistort;
+   * `camera` is the one without it. */
+  LensDistortion distortion{};
 
   /** \brief What of the file was not used, and why; empty when all was. */
   std::string note{};

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/lens_distortion.h>
 #include <pcl_msf/pinhole_camera.h>
 #include <pcl_msf/rigid_pose.h>
 
@@ -15,14 +16,16 @@ writeText (const std::string& path, const std::string& text);
 
 /** \brief What a camera.txt says. */
 struct CameraFile {
-  PinholeCamera camera;    ///< pixels
-  int width{0};            ///< of the images, pixels
-  int height{0};           ///< of the images, pixels
-  double depth_scale{1.0}; ///< 16-bit depth units per metre, > 0
+  PinholeCamera camera;        ///< pixels
+  int width{0};                ///< of the images, pixels
+  int height{0};               ///< of the images, pixels
+  double depth_scale{1.0};     ///< 16-bit depth units per metre, > 0
+  LensDistortion distortion{}; ///< of the images
 };
 
 /** \brief Reads a camera.txt: `fx fy cx cy width height depth_scale`, parted by white
- * space. \throws IoError for fields that are missing, no numbers, or no camera */
+ * space, and, when the images are distorted, `k1 k2 p1 p2` or `k1 k2 p1 p2 k3`. \throws
+ * IoError for fields that are missing, no numbers, or no camera */
 CameraFile
 readCamera (const std::string& path);
 

@@ -8,6 +8,7 @@
 #include <pcl_msf/io/cloud_files.h>
 #include <pcl_msf/io/data_folder.h>
 #include <pcl_msf/io/images.h>
+#include <pcl_msf/io/undistortion.h>
 
 #include <utility>
 
@@ -21,7 +22,11 @@ public:
                 const std::string& path,
                 const DatasetOptions& options)
   : name_ (std::move (name)), folder_ (path), options_ (options)
-  {}
+  {
+    if (options.distortion && folder_.depthPath (0).empty())
+      throw InvalidInput ("distortion: " + path +
+                          " holds clouds, which have none; leave it away");
+  }
 
   std::string
   name () const override
@@ -39,9 +44,13 @@ public:
   frame (int k) const override
   {
     requireFrame (k);
-    RgbdImages images = folder_.frame (k, options_.depth_scale);
+    if (!options_.camera && !options_.distortion)
+      return folder_.frame (k, options_.depth_scale);
+    RgbdImages images = folder_.storedFrame (k, options_.depth_scale);
     if (options_.camera)
       images.camera = *options_.camera;
+    if (options_.distortion)
+      undistort (images, *options_.distortion);
     return images;
   }
 

@@ -9,6 +9,7 @@
 #include <pcl_msf/io/data_folder.h>
 #include <pcl_msf/io/float_files.h>
 #include <pcl_msf/io/images.h>
+#include <pcl_msf/io/undistortion.h>
 
 #include <cmath>
 #include <filesystem>
@@ -99,6 +100,15 @@ DataFolder::cloudPath (int frame) const
 
 RgbdImages
 DataFolder::frame (int frame, std::optional<double> depth_scale) const
+{
+  RgbdImages images = storedFrame (frame, depth_scale);
+  if (camera_ && !depthPath (frame).empty())
+    undistort (images, camera_->distortion);
+  return images;
+}
+
+RgbdImages
+DataFolder::storedFrame (int frame, std::optional<double> depth_scale) const
 {
   const std::string depth = depthPath (frame);
   const std::string color = colorPath (frame);

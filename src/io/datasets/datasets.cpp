@@ -117,10 +117,14 @@ findAll (const std::string& path, const DatasetOptions& options, Guess guess)
   return findings;
 }
 
-/** A scale that is given counts, or else the caller hears that it does not. */
+/** What is given counts, or else the caller hears that it does not. */
 void
-checkDepthScale (const Kind& kind, const DatasetOptions& options)
+checkFor (const Kind& kind, const DatasetOptions& options)
 {
+  if (options.distortion &&
+      (kind.depth_unit == DepthUnit::Known || kind.kind == DatasetKind::Clouds))
+    throw InvalidInput (std::string ("distortion: not for the kind '") + kind.name +
+                        "', which has none; leave it away");
   if (options.depth_scale && kind.depth_unit == DepthUnit::Known)
     throw InvalidInput ("depth_scale: " + generalText (*options.depth_scale) +
                         " is not for the kind '" + kind.name +
@@ -146,7 +150,7 @@ openAny (const std::string& path, const DatasetOptions& options)
   }
   if (findings.front().error)
     std::rethrow_exception (findings.front().error);
-  checkDepthScale (*findings.front().kind, options);
+  checkFor (*findings.front().kind, options);
   return findings.front().sequences;
 }
 
@@ -204,7 +208,7 @@ openDataset (DatasetKind kind,
       });
   if (chosen == kKinds.end())
     return openAny (path, options);
-  checkDepthScale (*chosen, options);
+  checkFor (*chosen, options);
   Sequences sequences = chosen->open (path, options);
   if (sequences.empty())
     throw IoError (path + ": sequences: no data set of the kind '" + chosen->name +

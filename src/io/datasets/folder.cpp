@@ -108,7 +108,7 @@ pairUp (const std::string& folder, const FolderFiles& found, double max_differen
   const auto color = timedByName (found.color), depth = timedByName (found.depth);
   if (!color.empty() && !depth.empty()) {
     for (const auto& [c, d] : associate (color, depth, max_difference))
-      frames.push_back ({color[c].file, depth[d].file, {}, color[c].time, {}, -1});
+      frames.push_back ({color[c].file, depth[d].file, {}, color[c].time, {}, {}, -1});
     if (frames.empty())
       throw IoError (
           folder + ": frames: by the times in the images' names " +
@@ -146,8 +146,10 @@ openOne (const std::string& name,
   if (choice.depth_scale <= 0.0 && isInteger (found.depth.front()))
     throw IoError (inside (folder, "camera.txt") +
                    ": depth_scale: unknown; write the file or give the depth scale");
-  for (FrameFiles& frame : frames)
+  for (FrameFiles& frame : frames) {
     frame.camera = choice.camera;
+    frame.distortion = choice.distortion;
+  }
   const double scale = choice.depth_scale > 0.0 ? choice.depth_scale : 1.0;
   return std::make_shared<ListedSequence> (
       name, std::move (frames), scale, choice.size, choice.float_scale);

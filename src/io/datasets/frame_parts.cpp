@@ -9,6 +9,7 @@
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/images.h>
 #include <pcl_msf/io/text_files.h>
+#include <pcl_msf/io/undistortion.h>
 
 #include <cmath>
 #include <limits>
@@ -46,7 +47,8 @@ RgbdImages
 makeFrame (const std::string& color_path,
            const std::string& depth_path,
            const cv::Mat& depth,
-           const PinholeCamera& camera)
+           const PinholeCamera& camera,
+           const LensDistortion& distortion)
 {
   RgbdImages images;
   images.depth = depth;
@@ -58,6 +60,7 @@ makeFrame (const std::string& color_path,
     readColor (color_path, images);
     requireSize (color_path, images.color, depth.size());
   }
+  undistort (images, distortion);
   return images;
 }
 
@@ -98,13 +101,16 @@ chooseCamera (const std::string& folder,
   if (isFile (path)) {
     const CameraFile file = readCamera (path);
     choice.camera = file.camera;
+    choice.distortion = file.distortion;
     choice.depth_scale = file.depth_scale;
     choice.size = {file.width, file.height};
   }
   if (options.camera) {
     choice.camera = *options.camera;
+    choice.distortion = {};
     choice.size = {};
   }
+  choice.distortion = options.distortion.value_or (choice.distortion);
   choice.depth_scale = options.depth_scale.value_or (choice.depth_scale);
   choice.float_scale = options.depth_scale.value_or (1.0);
   return choice;

@@ -19,13 +19,15 @@ noSuchFrame (const std::string& sequence, int frame, int frames);
 void
 requireSize (const std::string& path, const cv::Mat& image, const cv::Size& size);
 
-/** \brief Puts a frame together. \param color_path may be empty = geometry only
+/** \brief Puts a frame together, freed from its distortion. \param color_path may be
+ * empty = geometry only
  * \throws IoError when colour and depth differ in size or the camera is none for it */
 RgbdImages
 makeFrame (const std::string& color_path,
            const std::string& depth_path,
            const cv::Mat& depth,
-           const PinholeCamera& camera);
+           const PinholeCamera& camera,
+           const LensDistortion& distortion = {});
 
 /** \brief A three-channel 16-bit image, blue first. \param field what it is, for the
  * error \throws IoError for any other image */
@@ -44,9 +46,10 @@ depthFromDisparity (const cv::Mat& disparity,
  * camera.txt, or else what is known of the data set. */
 struct CameraChoice {
   PinholeCamera camera;
-  double depth_scale{0.0}; ///< integer units per metre; 0 = unknown
-  cv::Size size;           ///< of the images; empty = any
-  double float_scale{1.0}; ///< of float depth and of clouds, units per metre
+  LensDistortion distortion{}; ///< of the images
+  double depth_scale{0.0};     ///< integer units per metre; 0 = unknown
+  cv::Size size;               ///< of the images; empty = any
+  double float_scale{1.0};     ///< of float depth and of clouds, units per metre
 };
 
 /** \brief \throws IoError for a damaged camera.txt */

@@ -40,7 +40,7 @@ ListedSequence::frame (int k) const
   const FrameFiles& f = files (k);
   const cv::Mat metres = depth (f);
   requireSize (f.depth, metres, size_);
-  return makeFrame (f.color, f.depth, metres, f.camera);
+  return makeFrame (f.color, f.depth, metres, f.camera, f.distortion);
 }
 
 double

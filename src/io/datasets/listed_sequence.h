@@ -20,6 +20,7 @@ struct FrameFiles {
   PinholeCamera camera;
   double timestamp{std::numeric_limits<double>::quiet_NaN()}; ///< seconds
   std::optional<RigidPose> world_from_camera;
+  LensDistortion distortion{}; ///< of the images, which are freed from it
   int number{-1}; ///< in the data set's names: truth leads from one to the next
 };
 

@@ -16,19 +16,24 @@ namespace {
 constexpr double kDepthScale = 5000.0;
 
 /** The published calibrations of the three sensors, else ROS' default. */
-PinholeCamera
+CameraChoice
 cameraNamed (const std::string& name)
 {
+  const auto with = [] (const PinholeCamera& camera, const LensDistortion& lens) {
+    return CameraChoice{camera, lens, kDepthScale, {640, 480}};
+  };
   const auto has = [&name] (const char* part) {
     return name.find (part) != std::string::npos;
   };
   if (has ("freiburg1") || has ("fr1"))
-    return {517.3, 516.5, 318.6, 255.3};
+    return with ({517.3, 516.5, 318.6, 255.3},
+                 {0.2624, -0.9531, -0.0054, 0.0026, 1.1633});
   if (has ("freiburg2") || has ("fr2"))
-    return {520.9, 521.0, 325.1, 249.7};
+    return with ({520.9, 521.0, 325.1, 249.7},
+                 {0.2312, -0.7849, -0.0033, -0.0001, 0.9172});
   if (has ("freiburg3") || has ("fr3"))
-    return {535.4, 539.2, 320.1, 247.6};
-  return {525.0, 525.0, 319.5, 239.5};
+    return with ({535.4, 539.2, 320.1, 247.6}, {});
+  return with ({525.0, 525.0, 319.5, 239.5}, {});
 }
 
 std::shared_ptr<const RgbdSequence>
@@ -48,15 +53,16 @@ openOne (const std::string& name,
         inside (folder, "depth.txt") + ": timestamp: " +
         nothingAssociated (
             color, depth, options.max_time_difference, {"rgb.txt", "depth.txt"}));
-  const CameraChoice choice = chooseCamera (
-      folder, options, {cameraNamed (lastName (folder)), kDepthScale, {640, 480}});
+  const CameraChoice choice =
+      chooseCamera (folder, options, cameraNamed (lastName (folder)));
   std::vector<FrameFiles> files;
   for (const auto& [c, d] : pairs)
     files.push_back ({inside (folder, color[c].file),
                       inside (folder, depth[d].file),
                       choice.camera,
                       color[c].time,
-                      poseAt (poses, color[c].time, options.max_time_difference)});
+                      poseAt (poses, color[c].time, options.max_time_difference),
+                      choice.distortion});
   return std::make_shared<ListedSequence> (
       name, std::move (files), choice.depth_scale, choice.size, choice.float_scale);
 }

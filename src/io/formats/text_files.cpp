@@ -12,27 +12,37 @@
 #include <cmath>
 #include <initializer_list>
 #include <sstream>
+#include <vector>
 
 namespace pcl_msf::io {
 
 namespace {
 
-/** Numbers of a text file in the order of their names. */
+/** Numbers of a text file in the order of their names; behind the first `needed` ones
+ * the file may end. */
 template <std::size_t N>
-std::array<double, N>
-readNumbers (const std::string& path, const std::array<const char*, N>& names)
+std::vector<double>
+readNumbers (const std::string& path,
+             const std::array<const char*, N>& names,
+             std::size_t needed = N)
 {
   InputFile file (path);
   std::istringstream words (file.text());
-  std::array<double, N> numbers{};
+  std::vector<double> numbers (N);
   for (std::size_t i = 0; i < N; ++i) {
     std::string word;
-    if (!(words >> word))
-      file.fail (names[i], "missing; " + std::to_string (N) + " numbers are needed");
+    if (!(words >> word)) {
+      if (i >= needed) {
+        numbers.resize (i);
+        return numbers;
+      }
+      file.fail (names[i],
+                 "missing; " + std::to_string (needed) + " numbers are needed");
+    }
     if (!parseNumber (word, numbers[i]) || !std::isfinite (numbers[i]))
       file.fail (names[i],
-                 "'" + word + "' is no finite number; write " + std::to_string (N) +
-                     " numbers with blanks between");
+                 "'" + word + "' is no finite number; write " +
+                     std::to_string (needed) + " numbers with blanks between");
   }
   std::string rest;
   if (words >> rest)
@@ -70,8 +80,23 @@ writeText (const std::string& path, const std::string& text)
 CameraFile
 readCamera (const std::string& path)
 {
-  const auto n =
-      readNumbers<7> (path, {"fx", "fy", "cx", "cy", "width", "height", "depth_scale"});
+  const auto n = readNumbers<12> (path,
+                                  {"fx",
+                                   "fy",
+                                   "cx",
+                                   "cy",
+                                   "width",
+                                   "height",
+                                   "depth_scale",
+                                   "k1",
+                                   "k2",
+                                   "p1",
+                                   "p2",
+                                   "k3"},
+                                  7);
+  if (n.size() > 7 && n.size() < 11)
+    throw IoError (path + ": k1 k2 p1 p2: " + std::to_string (n.size() - 7) +
+                   " of the distortion's numbers; give four or five, or none");
   CameraFile file;
   file.camera = {n[0], n[1], n[2], n[3]};
   file.width = imageSide (path, "width", n[4]);
@@ -84,6 +109,10 @@ readCamera (const std::string& path)
   if (file.depth_scale <= 0.0)
     throw IoError (path + ": depth_scale: " + generalText (file.depth_scale) +
                    ", must be > 0; give units per metre, for example 1000");
+  if (n.size() > 7)
+    file.distortion = {n[7], n[8], n[9], n[10], n.size() > 11 ? n[11] : 0.0};
+  if (!file.distortion.isValid (file.camera, file.width, file.height, &why))
+    throw IoError (path + ": k1 k2 p1 p2: " + why);
   return file;
 }
 
@@ -91,9 +120,24 @@ void
 writeCamera (const std::string& path, const CameraFile& file)
 {
   const PinholeCamera& c = file.camera;
-  const double width = file.width, height = file.height;
-  writeText (path,
-             exactLine ({c.fx, c.fy, c.cx, c.cy, width, height, file.depth_scale}));
+  const LensDistortion& l = file.distortion;
+  const double width = file.width, height = file.height, scale = file.depth_scale;
+  if (l.isNone())
+    writeText (path, exactLine ({c.fx, c.fy, c.cx, c.cy, width, height, scale}));
+  else
+    writeText (path,
+               exactLine ({c.fx,
+                           c.fy,
+                           c.cx,
+                           c.cy,
+                           width,
+                           height,
+                           scale,
+                           l.k1,
+                           l.k2,
+                           l.p1,
+                           l.p2,
+                           l.k3}));
 }
 
 RigidPose

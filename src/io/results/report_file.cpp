@@ -70,6 +70,23 @@ rowsOf (const Eigen::Matrix4f& matrix)
   return rows;
 }
 
+Json
+cameraOf (const PinholeCamera& camera, const LensDistortion& removed)
+{
+  Json json = {{"fx", camera.fx},
+               {"fy", camera.fy},
+               {"cx", camera.cx},
+               {"cy", camera.cy},
+               {"removed_distortion", nullptr}};
+  if (!removed.isNone())
+    json["removed_distortion"] = {{"k1", removed.k1},
+                                  {"k2", removed.k2},
+                                  {"p1", removed.p1},
+                                  {"p2", removed.p2},
+                                  {"k3", removed.k3}};
+  return json;
+}
+
 long
 countStatus (const SceneFlow& flow, MotionStatus status)
 {
@@ -81,13 +98,17 @@ countStatus (const SceneFlow& flow, MotionStatus status)
 } // namespace
 
 std::string
-reportJson (const SceneFlow& flow, const RunSeconds& seconds, int frames)
+reportJson (const SceneFlow& flow,
+            const RunSeconds& seconds,
+            int frames,
+            const LensDistortion& removed)
 {
   const Report& report = flow.report;
   return jsonText (
       {{"frames", frames},
        {"width", flow.labels.cols},
        {"height", flow.labels.rows},
+       {"camera", cameraOf (flow.camera, removed)},
        {"segments", flow.segments.size()},
        {"undetermined_segments", countStatus (flow, MotionStatus::Undetermined)},
        {"bodies", flow.bodies},
@@ -105,9 +126,10 @@ void
 writeReport (const std::string& path,
              const SceneFlow& flow,
              const RunSeconds& seconds,
-             int frames)
+             int frames,
+             const LensDistortion& removed)
 {
-  const std::string text = reportJson (flow, seconds, frames);
+  const std::string text = reportJson (flow, seconds, frames, removed);
   writeBytes (path, text.data(), text.size());
 }
 
