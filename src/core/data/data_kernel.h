@@ -19,7 +19,11 @@ struct Image {
   float fx, fy, cx, cy; ///< pixels
 };
 
-/** \brief A range of reference points, see SegmentPixels. */
+constexpr int kLanes =
+    16; ///< points that go side by side, whatever the registers' width
+
+/** \brief A range of reference points, see SegmentPixels. Each array can be read up to
+ * the next multiple of kLanes points: what lies there is finite and does not count. */
 struct Points {
   const float *x, *y, *z;
   const float* intensity;

@@ -156,6 +156,7 @@ DataTerm::DataTerm (const SegmentPixels& pixels,
 kernel::Points
 DataTerm::points (int k) const
 {
+  static_assert (kernel::kLanes - 1 <= SegmentPixels::kPadding);
   const int at = pixels_.begin[k];
   return {pixels_.x.data() + at,
           pixels_.y.data() + at,

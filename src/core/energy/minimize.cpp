@@ -51,7 +51,7 @@ ceresOptions (const SolverParameters& solver, const SolveMonitor& monitor)
                                    : ceres::SPARSE_NORMAL_CHOLESKY;
   options.preconditioner_type = ceres::JACOBI;
   options.eta = 1e-2;
-  options.use_nonmonotonic_steps = true;
+  options.use_nonmonotonic_steps = false;
   options.max_num_iterations = solver.max_iterations;
   options.function_tolerance = solver.function_tolerance;
   options.parameter_tolerance = solver.parameter_tolerance;
