@@ -52,8 +52,8 @@ ceresOptions (const SolverParameters& solver, const SolveMonitor& monitor)
   else
     useSparseCholesky (options);
   options.preconditioner_type = ceres::JACOBI;
-  options.eta = 1e-2;
-  options.use_nonmonotonic_steps = false;
+  options.eta = 0.1;
+  options.use_nonmonotonic_steps = true; // points appear and hide
   options.max_num_iterations = solver.max_iterations;
   options.function_tolerance = solver.function_tolerance;
   options.parameter_tolerance = solver.parameter_tolerance;

@@ -15,9 +15,7 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kMostPoints = 40000; // that work; others follow their neighbours
-constexpr int kSamples = 4000;
-constexpr std::size_t kFewest = 20;
+constexpr std::size_t kFewest = 20; // points that make a surface
 
 std::vector<int>
 finitePoints (const std::vector<Eigen::Vector3f>& points)
@@ -86,23 +84,27 @@ WorkingCloud
 makeWorkingCloud (const std::vector<Eigen::Vector3f>& points,
                   std::vector<int> chosen,
                   const char* name,
+                  const Tuning& tuning,
                   int threads)
 {
   WorkingCloud cloud;
   dropDoubles (points, chosen);
   requireEnough (chosen.size(), name);
-  for (const int k : thinPoints (pick (points, chosen), {}, kMostPoints))
+  for (const int k :
+       thinPoints (pick (points, chosen), {}, tuning.points.clouds.most_points))
     cloud.given.push_back (chosen[k]);
-  const std::vector<char> kept = onSurface (pick (points, cloud.given), threads);
+  const std::vector<char> kept =
+      onSurface (pick (points, cloud.given), tuning.surface, threads);
   std::size_t n = 0;
   for (std::size_t i = 0; i < kept.size(); ++i)
     if (kept[i])
       cloud.given[n++] = cloud.given[i];
   cloud.given.resize (n);
   requireEnough (n, name);
-  cloud.surface = makeSurface (pick (points, cloud.given), threads);
-  cloud.samples = thinPoints (cloud.surface.points, cloud.surface.normals, kSamples);
-  cloud.thin = thinSurface (cloud.surface, cloud.samples, threads);
+  cloud.surface = makeSurface (pick (points, cloud.given), tuning.surface, threads);
+  cloud.samples = thinPoints (
+      cloud.surface.points, cloud.surface.normals, tuning.points.clouds.samples);
+  cloud.thin = thinSurface (cloud.surface, cloud.samples, tuning.surface, threads);
   return cloud;
 }
 
@@ -125,6 +127,7 @@ PointClouds::scaled (const RigidPose& pose) const
 PointClouds
 preparePointClouds (const std::vector<Eigen::Vector3f>& source,
                     const std::vector<Eigen::Vector3f>& target,
+                    const Tuning& tuning,
                     int threads)
 {
   PointClouds clouds;
@@ -149,9 +152,9 @@ preparePointClouds (const std::vector<Eigen::Vector3f>& source,
     return scaled;
   };
   clouds.source =
-      makeWorkingCloud (scale (source), std::move (finite), "source", threads);
-  clouds.target =
-      makeWorkingCloud (scale (target), finitePoints (target), "target", threads);
+      makeWorkingCloud (scale (source), std::move (finite), "source", tuning, threads);
+  clouds.target = makeWorkingCloud (
+      scale (target), finitePoints (target), "target", tuning, threads);
   return clouds;
 }
 

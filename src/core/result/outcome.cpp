@@ -167,6 +167,10 @@ judgeMotion (const RgbdFrame& reference,
       judgement = {StopReason::DifferentPlaces,
                    "the frames show different places: the depth of one is noise, in "
                    "which no surface is found"};
+    // A blank frame shows no other one's texture: then its depth must tell nearly all.
+    const bool lost_texture = isBlank (reference) != isBlank (current);
+    if (lost_texture && overlap.found < kMostly * overlap.moved)
+      judgement = nothing;
     // The little that seemed determined is not found either.
     if (judgement.objection == StopReason::DifferentPlaces &&
         (overlap.moved < kMostly * overlap.points || isBlank (reference) ||

@@ -23,6 +23,8 @@ constexpr int kVoters = 4;             // samples per segment in the search for 
 constexpr double kVoteLimit = 3.0;     // pixels
 constexpr double kSmallestBody = 0.02; // share of all voters
 constexpr int kLeastFlowSide = 16;     // pixels: two patches
+constexpr int kQuarterWidth = 640;     // images from this size on are matched at a
+constexpr int kQuarterHeight = 128;    // quarter
 
 /** Samples of all segments; those of segment k are [begin[k], begin[k + 1]). */
 struct SampleTable {
@@ -134,9 +136,10 @@ findBodies (const SampleTable& table,
   return bodies;
 }
 
-/** Flow between 8-bit images at half their resolution. Where a side is shorter than two
- * of its patches, OpenCV chooses the pyramid by the width alone and reads outside the
- * image: the border is repeated up to there. */
+/** Flow between 8-bit images at half their resolution, smoothly filled in from a
+ * quarter for larger images: the segments' fits need no more. Where a side is shorter
+ * than two of its patches, OpenCV chooses the pyramid by the width alone and reads
+ * outside the image: the border is repeated up to there. */
 cv::Mat
 matchHalves (const cv::Mat& first, const cv::Mat& second)
 {
@@ -152,7 +155,8 @@ matchHalves (const cv::Mat& first, const cv::Mat& second)
   }
   cv::Mat flow;
   const auto dis = cv::DISOpticalFlow::create (cv::DISOpticalFlow::PRESET_MEDIUM);
-  dis->setFinestScale (0);
+  const bool large = first.cols >= kQuarterWidth && first.rows >= kQuarterHeight;
+  dis->setFinestScale (large ? 1 : 0);
   dis->calc (from, to, flow);
   return flow (cv::Rect ({0, 0}, half));
 }
