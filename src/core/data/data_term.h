@@ -124,6 +124,12 @@ public:
     return image_;
   }
 
+  int
+  threads () const
+  {
+    return threads_;
+  }
+
   /** \brief What a pose would cost. */
   struct Probe {
     double cost{0.0};   ///< truncated; share of the energy
