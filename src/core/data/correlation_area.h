@@ -30,6 +30,7 @@ CorrelationAreas
 measureCorrelationAreas (const std::vector<PairTerms>& terms,
                          const WindowState& state,
                          int level,
-                         const CorrelationAreas& before);
+                         const CorrelationAreas& before,
+                         int threads);
 
 } // namespace pcl_msf

@@ -44,8 +44,7 @@ inline float
 inverseDepthAt (const kernel::Image& image, const ImagePlace& at)
 {
   const int row = static_cast<int> (at.v + 0.5f);
-  return image
-      .texels[2 * (row * image.width + static_cast<int> (at.u + 0.5f)) + 1];
+  return image.texels[2 * (row * image.width + static_cast<int> (at.u + 0.5f)) + 1];
 }
 
 } // namespace pcl_msf

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/energy/body_blocks.h"
 
+#include "core/base/parallel_for.h"
+
 namespace pcl_msf {
 
 BodyBlocks::BodyBlocks (const std::vector<int>& body_of, std::size_t bodies)
@@ -22,7 +24,7 @@ BodyBlocks::addTo (ceres::Problem& problem, std::vector<RigidPose>& poses) const
 void
 BodyBlocks::fill (const DataTerm& data, bool with_jacobians)
 {
-  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+  parallelFor (data.threads(), static_cast<int> (blocks_.size()), 32, [&] (int b) {
     Matrix6 information = Matrix6::Zero();
     Vector6 gradient = Vector6::Zero();
     double cost = 0.0;
@@ -37,7 +39,7 @@ BodyBlocks::fill (const DataTerm& data, bool with_jacobians)
       blocks_[b].set (information, gradient, cost);
     else
       blocks_[b].setCost (cost);
-  }
+  });
 }
 
 } // namespace pcl_msf

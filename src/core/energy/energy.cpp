@@ -3,6 +3,7 @@
 #include "core/energy/energy.h"
 
 #include "core/energy/body_shapes.h"
+#include "core/energy/eliminated_coupling.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,8 +119,14 @@ Energy::relaxWeights (WindowState& state) const
 {
   const std::vector<double> differences = squaredDifferences (state);
   for (std::size_t i = 0; i < differences.size(); ++i)
-    state.weights[i] =
-        optimalWeight (differences[i], parameters_.regularizer_weight, priorWeight());
+    state.weights[i] = weightAt (differences[i]);
+}
+
+double
+Energy::weightAt (double squared_difference) const
+{
+  return optimalWeight (
+      squared_difference, parameters_.regularizer_weight, priorWeight());
 }
 
 template <typename State, typename Visitor>
@@ -181,7 +188,8 @@ Energy::presentCost (const WindowState& state) const
   const std::vector<double> differences = squaredDifferences (state);
   const double share = 0.5 / std::max<std::size_t> (1, differences.size());
   for (std::size_t i = 0; i < differences.size(); ++i) {
-    const double s = state.weights[i] * state.weights[i];
+    const double w = eliminatesWeights() ? weightAt (differences[i]) : state.weights[i];
+    const double s = w * w;
     const double worth = share * scene_.links[i].strength;
     cost.regularizer += worth * parameters_.regularizer_weight * s * s * differences[i];
     cost.prior += worth * priorWeight() * (1.0 - s) * (1.0 - s);
@@ -208,6 +216,15 @@ Energy::addCouplings (ceres::Problem& problem,
       const CouplingScale scale{std::sqrt (worth * parameters_.regularizer_weight),
                                 std::sqrt (worth * prior),
                                 unit (link.midpoint.z())};
+      if (eliminatesWeights()) {
+        problem.AddResidualBlock (
+            new EliminatedCouplingCost (
+                link, scale, parameters_.pose_difference, &poses[p][j], &poses[p][h]),
+            nullptr,
+            state.poses[p][j].parameters.data(),
+            state.poses[p][h].parameters.data());
+        continue;
+      }
       problem.AddResidualBlock (
           new PoseCouplingCost (
               link, scale, parameters_.pose_difference, &poses[p][j], &poses[p][h]),

@@ -47,6 +47,14 @@ public:
   EnergyCost
   evaluate (const WindowState& state);
 
+  /** \brief Whether weights are no unknowns: where one pair alone pulls at each, it is
+   * at its optimum for the poses all the time. */
+  bool
+  eliminatesWeights () const
+  {
+    return scene_.used.size() == 1;
+  }
+
   /** \brief As evaluate, with the data terms of the last sweep. */
   EnergyCost
   presentCost (const WindowState& state) const;
@@ -56,9 +64,9 @@ public:
   relaxWeights (WindowState& state) const;
 
   /** \brief Adds what ties poses to a problem over the state: one block per link
-   * between bodies and pair, whose weight all pairs share and whose prior only the
-   * first pair's block carries; per non-adjacent pair one concatenation per body.
-   * \param poses of the state as it is evaluated, per pair and body */
+   * between bodies and pair, whose weight, unless eliminated, all pairs share and whose
+   * prior only the first pair's block carries; per non-adjacent pair one concatenation
+   * per body. \param poses of the state as it is evaluated, per pair and body */
   void
   addTo (ceres::Problem& problem, WindowState& state, const CoupledPoses& poses) const;
 
@@ -76,6 +84,8 @@ private:
   unit (double depth) const;
   double
   priorWeight () const;
+  double
+  weightAt (double squared_difference) const;
   void
   addCouplings (ceres::Problem& problem,
                 WindowState& state,

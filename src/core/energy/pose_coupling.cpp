@@ -9,12 +9,12 @@ namespace pcl_msf {
 
 namespace {
 
-CoupledPose
+RigidPose
 poseFrom (const double* parameters)
 {
   RigidPose pose;
   std::copy (parameters, parameters + 6, pose.parameters.begin());
-  return CoupledPose (pose);
+  return pose;
 }
 
 } // namespace
@@ -39,8 +39,28 @@ poseDifference (const UnpackedPose& first,
   return d;
 }
 
+Matrix6
+differenceJacobian (const CoupledPose& pose,
+                    const SegmentLink& link,
+                    double unit,
+                    PoseDifference form)
+{
+  if (form == PoseDifference::Parameters)
+    return Matrix6::Identity();
+  Matrix6 j = Matrix6::Zero();
+  j.topLeftCorner<3, 3>() =
+      -unit * skew (pose.pose.rotation * link.midpoint) * pose.left_jacobian;
+  j.topRightCorner<3, 3>().diagonal().setConstant (unit);
+  j.bottomLeftCorner<3, 3>().diagonal().setConstant (unit * link.lever);
+  return j;
+}
+
 CoupledPose::CoupledPose (const RigidPose& from)
 : pose (from), left_jacobian (leftJacobian (pose.rotation_vector))
+{}
+
+CoupledPose::CoupledPose (const double* parameters)
+: CoupledPose (poseFrom (parameters))
 {}
 
 void
@@ -51,17 +71,9 @@ PoseCouplingCost::poseJacobian (const CoupledPose& pose,
 {
   using RowMajor = Eigen::Matrix<double, 7, 6, Eigen::RowMajor>;
   Eigen::Map<RowMajor> j (out);
-  j.setZero();
-  const double g = sign * scale_.regularizer * weight * weight;
-  if (form_ == PoseDifference::Parameters) {
-    j.topRows<6>().diagonal().setConstant (g);
-    return;
-  }
-  const double s = g * scale_.unit;
-  j.block<3, 3> (0, 0) =
-      -s * skew (pose.pose.rotation * link_.midpoint) * pose.left_jacobian;
-  j.block<3, 3> (0, 3).diagonal().setConstant (s);
-  j.block<3, 3> (3, 0).diagonal().setConstant (s * link_.lever);
+  j.topRows<6>() = sign * scale_.regularizer * weight * weight *
+                   differenceJacobian (pose, link_, scale_.unit, form_);
+  j.row (6).setZero();
 }
 
 bool
@@ -70,8 +82,8 @@ PoseCouplingCost::Evaluate (double const* const* parameters,
                             double** jacobians) const
 {
   const double w = parameters[2][0];
-  const CoupledPose first = first_ ? *first_ : poseFrom (parameters[0]);
-  const CoupledPose second = second_ ? *second_ : poseFrom (parameters[1]);
+  const CoupledPose first = first_ ? *first_ : CoupledPose (parameters[0]);
+  const CoupledPose second = second_ ? *second_ : CoupledPose (parameters[1]);
   const Vector6 d = poseDifference (first.pose, second.pose, link_, scale_.unit, form_);
   Eigen::Map<Vector6> head (residuals);
   head = scale_.regularizer * w * w * d;

@@ -27,6 +27,15 @@ poseDifference (const UnpackedPose& first,
                 double unit,
                 PoseDifference form);
 
+struct CoupledPose;
+
+/** \brief d d / d T_j; d d / d T_h is that of the other pose, negative. */
+Matrix6
+differenceJacobian (const CoupledPose& pose,
+                    const SegmentLink& link,
+                    double unit,
+                    PoseDifference form);
+
 /** \brief A pose as couplings need it, at the state that is evaluated. */
 struct CoupledPose {
   UnpackedPose pose;
@@ -34,6 +43,8 @@ struct CoupledPose {
 
   CoupledPose() = default;
   explicit CoupledPose (const RigidPose& from);
+  /** \brief From the six parameters of a block. */
+  explicit CoupledPose (const double* parameters);
 };
 
 /** \brief Lifted pose regularizer and weight prior of one link (Eq. 10 and 11): six

@@ -16,30 +16,28 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr double kRigidShare = 0.02; // of the points: a body of its own
-constexpr int kPolish = 4;           // rounds of fitting the bodies' motions
-constexpr int kAbsorb = 5;      // rounds of joining what fits a larger body as well
-constexpr double kWorse = 0.12; // distance that may cost, spacings of the target
-constexpr int kSmoothing = 2;   // rounds over neighbours when borders are drawn
-
 MatchRules
-fineRules (double distance)
+fineRules (double distance, const PointPartTuning& tuning)
 {
   MatchRules rules;
   rules.distance = distance;
-  rules.normal_length = 0.01;
-  rules.isotropy = 0.01; // what planes leave free stays near
+  rules.normal_length = tuning.normal_length;
+  rules.isotropy = tuning.isotropy;
   rules.backward = 0.0;
   return rules;
 }
 
 class PartFinder {
 public:
-  PartFinder (const PointClouds& clouds, PointSolve& solve, int threads)
+  PartFinder (const PointClouds& clouds,
+              PointSolve& solve,
+              const PointPartTuning& tuning,
+              int threads)
   : source_ (clouds.source.surface)
   , segments_ (solve.segments())
   , target_ (solve.fineTarget())
   , spacing_ (clouds.target.surface.median_spacing)
+  , tuning_ (tuning)
   , threads_ (threads)
   , poses_ (solve.poses())
   , all_{source_.points, source_.normals, segments_.members}
@@ -52,30 +50,30 @@ public:
     std::iota (part_of_.begin(), part_of_.end(), 0);
     MovedPoints moved = movePoints (all_, poses_, threads_);
     std::vector<PointPull> pulls =
-        target_.pulls (moved, fineRules (2.0 * spacing_), threads_);
-    variance_ = std::pow (std::max (deviationOf (moved, pulls), kFloor * spacing_), 2);
+        target_.pulls (moved, fineRules (tuning_.reach * spacing_, tuning_), threads_);
+    variance_ =
+        std::pow (std::max (deviationOf (moved, pulls), tuning_.floor * spacing_), 2);
     if (merge) {
       mergeSegments (pulls);
       chooseBodies();
       drawBorders();
-      for (int round = 0; round < kPolish; ++round)
+      for (int round = 0; round < tuning_.polish; ++round)
         polish();
-      for (int round = 0; round < kAbsorb && absorb(); ++round)
+      for (int round = 0; round < tuning_.absorb && absorb(); ++round)
         polish();
     }
     return result();
   }
 
 private:
-  static constexpr double kFloor = 0.1; // spacings; the target's planes are no better
-
   void
   mergeSegments (const std::vector<PointPull>& pulls)
   {
     std::vector<RigidMoments> moments (segments_.size());
     for (int i = 0; i < source_.size(); ++i)
       moments[segments_.label[i]].add (source_.points[i].cast<double>(), pulls[i], 1.0);
-    const MergedParts merged = mergeParts (moments, poses_, segments_.links, variance_);
+    const MergedParts merged =
+        mergeParts (moments, poses_, segments_.links, variance_, tuning_);
     part_of_ = merged.part_of;
     part_poses_ = merged.poses;
   }
@@ -88,7 +86,7 @@ private:
       ++sizes[part_of_[label]];
     rigid_.assign (sizes.size(), 0);
     for (std::size_t p = 0; p < sizes.size(); ++p)
-      rigid_[p] = sizes[p] >= kRigidShare * source_.size();
+      rigid_[p] = sizes[p] >= tuning_.rigid_share * source_.size();
     for (int k = 0; k < segments_.size(); ++k)
       if (rigid_[part_of_[k]])
         poses_[k] = part_poses_[part_of_[k]];
@@ -138,12 +136,15 @@ private:
           place.push_back (i);
         }
       const MovedPoints moved = movePoints (some, poses_, threads_);
-      const std::vector<float> cost = target_.distances (
-          moved, fineRules (2.0 * spacing_), 3.0 * spacing_, threads_);
+      const std::vector<float> cost =
+          target_.distances (moved,
+                             fineRules (tuning_.reach * spacing_, tuning_),
+                             tuning_.limit * spacing_,
+                             threads_);
       for (std::size_t k = 0; k < place.size(); ++k)
         costs[place[k]][c] = cost[k];
     }
-    for (int round = 0; round < kSmoothing; ++round)
+    for (int round = 0; round < tuning_.smoothing; ++round)
       smooth<Most> (parts, costs);
     for (int i = 0; i < n; ++i) {
       int best = 0;
@@ -190,7 +191,7 @@ private:
   {
     const MovedPoints moved = movePoints (all_, poses_, threads_);
     const std::vector<PointPull> pulls =
-        target_.pulls (moved, fineRules (spacing_), threads_);
+        target_.pulls (moved, fineRules (spacing_, tuning_), threads_);
     moments_.assign (part_poses_.size(), {});
     for (int i = 0; i < source_.size(); ++i)
       moments_[part_[i]].add (source_.points[i].cast<double>(), pulls[i], 1.0);
@@ -228,10 +229,11 @@ private:
       some.members.push_back (other >= 0 ? oneOf (other) : all_.members[i]);
     }
     double sum = 0.0;
-    for (const float d : target_.distances (movePoints (some, poses_, threads_),
-                                            fineRules (2.0 * spacing_),
-                                            3.0 * spacing_,
-                                            threads_))
+    for (const float d :
+         target_.distances (movePoints (some, poses_, threads_),
+                            fineRules (tuning_.reach * spacing_, tuning_),
+                            tuning_.limit * spacing_,
+                            threads_))
       sum += d;
     return sum / std::max<std::size_t> (1, points.size());
   }
@@ -250,7 +252,8 @@ private:
     std::vector<double> best (points.size(), 0.0);
     for (const auto& [a, b] : touchingParts (sizes)) {
       if (into[a] < 0 && best[a] == 0.0)
-        best[a] = 1.1 * distanceOf (points[a], -1) + kWorse * spacing_;
+        best[a] = (1.0 + tuning_.worse_share) * distanceOf (points[a], -1) +
+                  tuning_.worse * spacing_;
       const double distance = distanceOf (points[a], b);
       if (distance < best[a]) {
         best[a] = distance;
@@ -314,6 +317,7 @@ private:
   const SurfaceSegments& segments_;
   MatchTarget& target_;
   double spacing_;
+  const PointPartTuning& tuning_;
   int threads_;
   std::vector<RigidPose> poses_; ///< per segment
   PointSamples all_;             ///< the working points
@@ -328,9 +332,13 @@ private:
 } // namespace
 
 BodyParts
-findParts (const PointClouds& clouds, PointSolve& solve, bool merge, int threads)
+findParts (const PointClouds& clouds,
+           PointSolve& solve,
+           bool merge,
+           const PointPartTuning& tuning,
+           int threads)
 {
-  return PartFinder (clouds, solve, threads).run (merge);
+  return PartFinder (clouds, solve, tuning, threads).run (merge);
 }
 
 } // namespace pcl_msf

@@ -23,6 +23,10 @@ struct BodyParts {
  * its own moves rigidly up to its border, its motion fitted to all of its points; on
  * the rest of the surface motions blend. \param merge false: every segment is a part */
 BodyParts
-findParts (const PointClouds& clouds, PointSolve& solve, bool merge, int threads);
+findParts (const PointClouds& clouds,
+           PointSolve& solve,
+           bool merge,
+           const PointPartTuning& tuning,
+           int threads);
 
 } // namespace pcl_msf

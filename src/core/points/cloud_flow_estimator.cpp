@@ -14,7 +14,7 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kSteps = 150; // about
+constexpr int kSteps = 150; // about, for the share that is done
 
 double
 secondsSince (std::chrono::steady_clock::time_point begin)
@@ -40,14 +40,16 @@ CloudFlowEstimator::estimate (const std::vector<Eigen::Vector3f>& source,
 {
   const auto begin = std::chrono::steady_clock::now();
   const int threads = threadCount (solver_.threads);
+  const Tuning tuning = currentTuning();
   SolveProgress progress (solver_, kSteps);
-  const PointClouds clouds = preparePointClouds (source, target, threads);
+  const PointClouds clouds = preparePointClouds (source, target, tuning, threads);
   const double segment_seconds = secondsSince (begin);
-  PointSolve solve (clouds, clouds.scaled (start), threads, progress);
+  PointSolve solve (clouds, clouds.scaled (start), tuning, threads, progress);
   solve.run();
   const double solve_seconds = secondsSince (begin) - segment_seconds;
-  CloudFlow flow = makeCloudFlow (clouds, solve, source, solver_.merge_bodies, threads);
-  noteOutcome (progress, flow);
+  CloudFlow flow = makeCloudFlow (
+      clouds, solve, source, solver_.merge_bodies, tuning.points, threads);
+  noteOutcome (progress, tuning.points.result.unexplained, flow);
   flow.report.segment_seconds = segment_seconds;
   flow.report.solve_seconds = solve_seconds;
   flow.report.result_seconds = secondsSince (begin) - segment_seconds - solve_seconds;

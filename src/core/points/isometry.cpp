@@ -11,13 +11,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr float kStretch = 0.08f;   // of a distance: what a bend may cost
-constexpr float kSlack = 0.015f;    // sizes: what sampling may cost
-constexpr double kAgreement = 0.55; // of an anchor with the others, mean, at least
-constexpr float kScore = 0.5f;      // of a match, at least
-constexpr float kWayBack = 0.04f;   // sizes
-constexpr float kNear = 0.1f;       // sizes: nearer anchors all count alike
-
 std::vector<std::vector<float>>
 distancesFrom (const Surface& surface, const std::vector<int>& anchors, int threads)
 {
@@ -35,8 +28,9 @@ SurfaceIsometry::SurfaceIsometry (const Surface& source,
                                   const Surface& target,
                                   const std::vector<PointPair>& pairs,
                                   double size,
+                                  const IsometryTuning& tuning,
                                   int threads)
-: source_ (source), size_ (static_cast<float> (size))
+: source_ (source), tuning_ (tuning), size_ (static_cast<float> (size))
 {
   std::vector<int> a;
   std::vector<int> b;
@@ -54,7 +48,7 @@ SurfaceIsometry::agreement (float a, float b) const
 {
   if (!std::isfinite (a) || !std::isfinite (b))
     return 0.0f;
-  const float r = (a - b) / (kSlack * size_ + kStretch * std::min (a, b));
+  const float r = (a - b) / (tuning_.slack * size_ + tuning_.stretch * std::min (a, b));
   return 1.0f / (1.0f + r * r);
 }
 
@@ -80,7 +74,7 @@ SurfaceIsometry::keepConsistent (const std::vector<PointPair>& pairs)
         alive.begin(), alive.end(), [&] (std::size_t i, std::size_t j) {
           return support[i] < support[j];
         });
-    if (support[*worst] >= kAgreement * static_cast<double> (alive.size() - 1))
+    if (support[*worst] >= tuning_.agreement * static_cast<double> (alive.size() - 1))
       break;
     const std::size_t gone = *worst;
     alive.erase (worst);
@@ -107,8 +101,8 @@ SurfaceIsometry::scores (int source_point, const std::vector<int>& target_points
     const float d = source_rows_[r][source_point];
     if (!std::isfinite (d))
       continue;
-    const float weight = 1.0f / (kNear * size_ + d);
-    const float scale = 1.0f / (kSlack * size_ + kStretch * d);
+    const float weight = 1.0f / (tuning_.near * size_ + d);
+    const float scale = 1.0f / (tuning_.slack * size_ + tuning_.stretch * d);
     const float* row = target_rows_[r].data();
     total += weight;
     for (int j = 0; j < m; ++j) {
@@ -141,12 +135,12 @@ SurfaceIsometry::match (const std::vector<int>& source_points,
   for (int i = 0; i < n && m > 0; ++i) {
     const auto best = std::max_element (all[i].begin(), all[i].end());
     const auto j = best - all[i].begin();
-    if (*best < kScore)
+    if (*best < tuning_.score)
       continue;
     const float way =
         (source_.points[source_points[back[j]]] - source_.points[source_points[i]])
             .norm() /
-        (kWayBack * size_);
+        (tuning_.way_back * size_);
     const float g = 1.0f / (1.0f + way * way);
     pairs.push_back ({source_points[i], target_points[j], *best * *best * g * g});
   }

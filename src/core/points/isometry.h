@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/point_tuning.h"
 #include "core/surface/surface.h"
 
 #include <vector>
@@ -20,11 +21,13 @@ struct PointPair {
 class SurfaceIsometry {
 public:
   /** \param pairs that may be right; kept as anchors are those that keep the distances
-   * to most of the others \param size of the source, what a slack is measured by */
+   * to most of the others \param size of the source, what a slack is measured by
+   * \param tuning must outlive this */
   SurfaceIsometry (const Surface& source,
                    const Surface& target,
                    const std::vector<PointPair>& pairs,
                    double size,
+                   const IsometryTuning& tuning,
                    int threads);
 
   int
@@ -51,6 +54,7 @@ private:
   scores (int source_point, const std::vector<int>& target_points) const;
 
   const Surface& source_;
+  const IsometryTuning& tuning_;
   float size_;
   Rows source_rows_;
   Rows target_rows_;

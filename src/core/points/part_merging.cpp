@@ -12,9 +12,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr double kAllowance = 10.0; // of a merge, in halved squared deviations
-constexpr double kPerPoint = 0.25;  // further, per point of the smaller part
-
 struct Part {
   RigidMoments moments;
   RigidPose pose;
@@ -41,8 +38,12 @@ public:
   Merger (const std::vector<RigidMoments>& moments,
           const std::vector<RigidPose>& poses,
           const std::vector<SegmentLink>& links,
-          double variance)
-  : variance_ (variance), parts_ (moments.size()), joined_ (moments.size())
+          double variance,
+          const PointPartTuning& tuning)
+  : variance_ (variance)
+  , tuning_ (tuning)
+  , parts_ (moments.size())
+  , joined_ (moments.size())
   {
     std::iota (joined_.begin(), joined_.end(), 0);
     for (std::size_t k = 0; k < moments.size(); ++k) {
@@ -114,7 +115,8 @@ private:
     const double increase = both.cost (pose) - parts_[a].minimum - parts_[b].minimum;
     const double points =
         std::min (parts_[a].moments.weight(), parts_[b].moments.weight());
-    const double excess = increase / variance_ - kAllowance - kPerPoint * points;
+    const double excess =
+        increase / variance_ - tuning_.allowance - tuning_.per_point * points;
     if (excess < 0.0)
       offers_.push ({excess, a, b, parts_[a].version, parts_[b].version});
   }
@@ -142,6 +144,7 @@ private:
   }
 
   double variance_;
+  const PointPartTuning& tuning_;
   std::vector<Part> parts_;
   std::vector<int> joined_; ///< the one that a part went into
   std::priority_queue<Offer> offers_;
@@ -153,9 +156,10 @@ MergedParts
 mergeParts (const std::vector<RigidMoments>& moments,
             const std::vector<RigidPose>& poses,
             const std::vector<SegmentLink>& links,
-            double variance)
+            double variance,
+            const PointPartTuning& tuning)
 {
-  Merger merger (moments, poses, links, variance);
+  Merger merger (moments, poses, links, variance, tuning);
   merger.run();
   return merger.result();
 }

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/point_tuning.h"
 #include "core/motion/motion_state.h"
 #include "core/points/rigid_moments.h"
 
@@ -23,6 +24,7 @@ MergedParts
 mergeParts (const std::vector<RigidMoments>& moments,
             const std::vector<RigidPose>& poses,
             const std::vector<SegmentLink>& links,
-            double variance);
+            double variance,
+            const PointPartTuning& tuning);
 
 } // namespace pcl_msf

@@ -2,10 +2,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/points/point_clouds.h"
 
+#include "core/base/number_text.h"
 #include "core/surface/thinning.h"
 #include <pcl_msf/errors.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <tuple>
 
@@ -13,9 +15,7 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kMostPoints = 40000; // that work; others follow their neighbours
-constexpr int kSamples = 4000;
-constexpr std::size_t kFewest = 20;
+constexpr std::size_t kFewest = 20; // points that make a surface
 
 std::vector<int>
 finitePoints (const std::vector<Eigen::Vector3f>& points)
@@ -60,8 +60,23 @@ requireEnough (std::size_t count, const char* name)
 {
   if (count < kFewest)
     throw InvalidInput ("the " + std::string (name) + " has " + std::to_string (count) +
-                        " different finite points on surfaces: give " +
+                        " points that are finite, different and on a surface: give " +
                         std::to_string (kFewest) + " or more");
+}
+
+/** Far from the origin, as in maps of the earth, single precision leaves no shape. */
+void
+requireFineSteps (double farthest, double size)
+{
+  constexpr double kCoarse = 1e-3; // of the size
+  const double step = farthest * std::numeric_limits<float>::epsilon();
+  if (step < kCoarse * size)
+    return;
+  PlainStream text;
+  text << "the source's coordinates reach " << farthest
+       << ", where single precision has steps of " << step << ", and it is only "
+       << size << " large: subtract an offset from both clouds first";
+  throw InvalidInput (text.str());
 }
 
 /** \param points scaled */
@@ -69,23 +84,27 @@ WorkingCloud
 makeWorkingCloud (const std::vector<Eigen::Vector3f>& points,
                   std::vector<int> chosen,
                   const char* name,
+                  const Tuning& tuning,
                   int threads)
 {
   WorkingCloud cloud;
   dropDoubles (points, chosen);
   requireEnough (chosen.size(), name);
-  for (const int k : thinPoints (pick (points, chosen), {}, kMostPoints))
+  for (const int k :
+       thinPoints (pick (points, chosen), {}, tuning.points.clouds.most_points))
     cloud.given.push_back (chosen[k]);
-  const std::vector<char> kept = onSurface (pick (points, cloud.given), threads);
+  const std::vector<char> kept =
+      onSurface (pick (points, cloud.given), tuning.surface, threads);
   std::size_t n = 0;
   for (std::size_t i = 0; i < kept.size(); ++i)
     if (kept[i])
       cloud.given[n++] = cloud.given[i];
   cloud.given.resize (n);
   requireEnough (n, name);
-  cloud.surface = makeSurface (pick (points, cloud.given), threads);
-  cloud.samples = thinPoints (cloud.surface.points, cloud.surface.normals, kSamples);
-  cloud.thin = thinSurface (cloud.surface, cloud.samples, threads);
+  cloud.surface = makeSurface (pick (points, cloud.given), tuning.surface, threads);
+  cloud.samples = thinPoints (
+      cloud.surface.points, cloud.surface.normals, tuning.points.clouds.samples);
+  cloud.thin = thinSurface (cloud.surface, cloud.samples, tuning.surface, threads);
   return cloud;
 }
 
@@ -108,6 +127,7 @@ PointClouds::scaled (const RigidPose& pose) const
 PointClouds
 preparePointClouds (const std::vector<Eigen::Vector3f>& source,
                     const std::vector<Eigen::Vector3f>& target,
+                    const Tuning& tuning,
                     int threads)
 {
   PointClouds clouds;
@@ -123,6 +143,7 @@ preparePointClouds (const std::vector<Eigen::Vector3f>& source,
   clouds.size = (high - low).norm();
   if (!(clouds.size > 0.0))
     throw InvalidInput ("all points of the source are at one place: give a surface");
+  requireFineSteps (low.cwiseAbs().cwiseMax (high.cwiseAbs()).maxCoeff(), clouds.size);
   const auto scale = [&clouds] (const std::vector<Eigen::Vector3f>& points) {
     std::vector<Eigen::Vector3f> scaled;
     scaled.reserve (points.size());
@@ -131,9 +152,9 @@ preparePointClouds (const std::vector<Eigen::Vector3f>& source,
     return scaled;
   };
   clouds.source =
-      makeWorkingCloud (scale (source), std::move (finite), "source", threads);
-  clouds.target =
-      makeWorkingCloud (scale (target), finitePoints (target), "target", threads);
+      makeWorkingCloud (scale (source), std::move (finite), "source", tuning, threads);
+  clouds.target = makeWorkingCloud (
+      scale (target), finitePoints (target), "target", tuning, threads);
   return clouds;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/tuning.h"
 #include "core/surface/surface.h"
 #include <pcl_msf/rigid_pose.h>
 
@@ -48,6 +49,7 @@ struct PointClouds {
 PointClouds
 preparePointClouds (const std::vector<Eigen::Vector3f>& source,
                     const std::vector<Eigen::Vector3f>& target,
+                    const Tuning& tuning,
                     int threads);
 
 } // namespace pcl_msf

@@ -255,7 +255,7 @@ MatchTarget::tightPairs (const MovedPoints& moved, const MatchRules& rules, int 
                             surface_.points[j],
                             surface_.normals[j],
                             rules);
-    if (w > 0.4)
+    if (w > rules.least)
       all[i] = {i, j, w};
   });
   std::vector<PointPair> pairs;

@@ -15,8 +15,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr double kFound = 4.0;       // spacings: a surface is seen there
-constexpr double kJointShare = 0.02; // of the points: a part that has joints
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 /** Information of a pose of points as given from that of scaled ones. */
@@ -51,7 +49,10 @@ addParts (const PointClouds& clouds, const BodyParts& parts, CloudFlow& flow)
 }
 
 void
-addJoints (const PointClouds& clouds, const BodyParts& parts, CloudFlow& flow)
+addJoints (const PointClouds& clouds,
+           const BodyParts& parts,
+           double least_share,
+           CloudFlow& flow)
 {
   struct Seam {
     Eigen::Vector3d sum{Eigen::Vector3d::Zero()};
@@ -60,7 +61,7 @@ addJoints (const PointClouds& clouds, const BodyParts& parts, CloudFlow& flow)
   std::map<std::pair<int, int>, Seam> seams;
   const Surface& surface = clouds.source.surface;
   const auto large = [&] (int p) {
-    return parts.sizes[p] >= kJointShare * surface.size();
+    return parts.sizes[p] >= least_share * surface.size();
   };
   for (int i = 0; i < surface.size(); ++i)
     for (const SurfaceEdge* e = surface.graph.begin (i); e != surface.graph.end (i);
@@ -130,17 +131,19 @@ makeCloudFlow (const PointClouds& clouds,
                PointSolve& solve,
                const std::vector<Eigen::Vector3f>& source,
                bool merge,
+               const PointTuning& tuning,
                int threads)
 {
   CloudFlow flow;
-  const BodyParts parts = findParts (clouds, solve, merge, threads);
+  const BodyParts parts = findParts (clouds, solve, merge, tuning.parts, threads);
   addParts (clouds, parts, flow);
-  addJoints (clouds, parts, flow);
+  addJoints (clouds, parts, tuning.result.joint_share, flow);
   MatchRules rules;
-  rules.normal_length = 0.02;
+  rules.normal_length = tuning.result.normal_length;
   const MovedPoints moved{parts.points, parts.normals};
-  const double limit = kFound * std::max (clouds.source.surface.median_spacing,
-                                          clouds.target.surface.median_spacing);
+  const double limit =
+      tuning.result.found * std::max (clouds.source.surface.median_spacing,
+                                      clouds.target.surface.median_spacing);
   const std::vector<float> away =
       solve.fineTarget().distances (moved, rules, limit, threads);
   std::vector<float> confidence;
@@ -155,9 +158,8 @@ makeCloudFlow (const PointClouds& clouds,
 }
 
 void
-noteOutcome (const SolveProgress& progress, CloudFlow& flow)
+noteOutcome (const SolveProgress& progress, double unexplained, CloudFlow& flow)
 {
-  constexpr double unexplained = 0.02; // of both clouds: something lies elsewhere
   Report& report = flow.report;
   report.iterations = progress.iterations();
   report.history = progress.history();

@@ -15,11 +15,13 @@ makeCloudFlow (const PointClouds& clouds,
                PointSolve& solve,
                const std::vector<Eigen::Vector3f>& source,
                bool merge,
+               const PointTuning& tuning,
                int threads);
 
 /** \brief Fills in the report: how it ended, and whether the clouds were found on each
- * other. */
+ * other.
+ * \param unexplained share of both clouds that may lie elsewhere */
 void
-noteOutcome (const SolveProgress& progress, CloudFlow& flow);
+noteOutcome (const SolveProgress& progress, double unexplained, CloudFlow& flow);
 
 } // namespace pcl_msf

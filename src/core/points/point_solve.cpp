@@ -7,7 +7,6 @@
 #include "core/surface/thinning.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -15,34 +14,13 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr std::array<PointStage, 4> kStages{{{30, 0.6, 0.10, 0.06, 10},
-                                             {60, 0.2, 0.08, 0.03, 15},
-                                             {150, 0.06, 0.05, 0.02, 15},
-                                             {400, 0.02, 0.03, 0.005, 15}}};
-constexpr int kIsometricCut = 2; // where limbs are started anew
-constexpr int kIsometricSteps = 15;
-constexpr double kIsometricRegularizer = 0.2;
-constexpr double kIsometricFrom = 0.2; // scale of the pairs' robust weight, sizes
-constexpr double kIsometricTo = 0.03;
-constexpr int kRounds = 4;     // of starting anew, at the most
-constexpr double kGain = 2e-3; // of what is explained, for one more round
-constexpr int kAnchors = 80;   // pairs that may be
-constexpr int kSourceSeeks = 1000;
-constexpr int kTargetSeeks = 2000;
-constexpr int kStepIterations = 2;
-constexpr double kNormalLength = 1.0; // of the distance scale
-constexpr double kLeastNormalLength = 0.01;
-constexpr double kLeastMutual = 0.02;
-
-const MatchRules&
-tightRules ()
+MatchRules
+tightRules (const PointMatchTuning& tuning)
 {
-  static const MatchRules rules = [] {
-    MatchRules r;
-    r.distance = 0.01;
-    r.normal_length = 0.02;
-    return r;
-  }();
+  MatchRules rules;
+  rules.distance = tuning.tight;
+  rules.normal_length = tuning.tight_normal;
+  rules.least = tuning.tight_weight;
   return rules;
 }
 
@@ -69,19 +47,22 @@ everySo (int n, int count)
 
 PointSolve::PointSolve (const PointClouds& clouds,
                         const RigidPose& start,
+                        const Tuning& tuning,
                         int threads,
                         SolveProgress& progress)
 : clouds_ (clouds)
+, tuning_ (tuning.points)
 , threads_ (threads)
 , progress_ (progress)
 , coarse_ (clouds.target.thin, allOf (clouds.target.thin))
 , fine_ (clouds.target.surface, clouds.target.samples)
 {
-  for (const PointStage& stage : kStages)
+  for (const PointStage& stage : tuning_.stages)
     cuts_.push_back (
         cutSurface (clouds.source.surface,
                     stage.segments,
-                    cuts_.empty() ? std::vector<int>() : cuts_.back().seeds));
+                    cuts_.empty() ? std::vector<int>() : cuts_.back().seeds,
+                    tuning.surface));
   poses_.assign (cuts_[0].size(), start);
   enter (0);
 }
@@ -115,11 +96,14 @@ PointSolve::match (const PointStage& stage, MatchTarget& target)
     const double f = i / std::max (1.0, stage.steps - 1.0);
     MatchRules rules;
     rules.distance = stage.from * std::pow (stage.to / stage.from, f);
-    rules.normal_length = std::max (kNormalLength * rules.distance, kLeastNormalLength);
-    rules.mutual = std::max (rules.distance, kLeastMutual);
+    rules.normal_length = std::max (tuning_.match.normal_length * rules.distance,
+                                    tuning_.match.least_normal);
+    rules.isotropy = tuning_.match.isotropy;
+    rules.mutual = std::max (rules.distance, tuning_.match.least_mutual);
+    rules.backward = tuning_.match.backward;
     const MovedPoints moved = movePoints (samples_, poses_, threads_);
     const double cost =
-        problem.step (target.pulls (moved, rules, threads_), kStepIterations);
+        problem.step (target.pulls (moved, rules, threads_), tuning_.match.iterations);
     progress_.note (static_cast<int> (cuts_.size()) - 1 - cut_, cost, "match");
   }
 }
@@ -130,18 +114,19 @@ PointSolve::isometricPairs()
 {
   const MovedPoints moved = movePoints (samples_, poses_, threads_);
   const std::vector<PointPair> tight =
-      coarse_.tightPairs (moved, tightRules(), threads_);
+      coarse_.tightPairs (moved, tightRules (tuning_.match), threads_);
   const Surface& source = clouds_.source.thin;
   const Surface& target = clouds_.target.thin;
   std::vector<int> places;
   for (const PointPair& pair : tight)
     places.push_back (pair.source);
   std::vector<PointPair> candidates;
-  for (const int place : spreadPoints (source.points, places, kAnchors))
+  for (const int place : spreadPoints (source.points, places, tuning_.limbs.anchors))
     candidates.push_back (tight[place]);
-  const SurfaceIsometry isometry (source, target, candidates, 1.0, threads_);
-  return isometry.match (everySo (source.size(), kSourceSeeks),
-                         everySo (target.size(), kTargetSeeks),
+  const SurfaceIsometry isometry (
+      source, target, candidates, 1.0, tuning_.isometry, threads_);
+  return isometry.match (everySo (source.size(), tuning_.limbs.source_seeks),
+                         everySo (target.size(), tuning_.limbs.target_seeks),
                          threads_);
 }
 
@@ -149,6 +134,7 @@ PointSolve::isometricPairs()
 void
 PointSolve::followPairs (const std::vector<PointPair>& pairs)
 {
+  const LimbTuning& limbs = tuning_.limbs;
   std::vector<PointPair> given = pairs;
   for (PointPair& pair : given)
     pair.source = clouds_.source.samples[pair.source];
@@ -156,18 +142,19 @@ PointSolve::followPairs (const std::vector<PointPair>& pairs)
                  clouds_.target.thin,
                  segments(),
                  given,
-                 kIsometricTo,
+                 limbs.to,
+                 limbs,
                  poses_);
   PointEnergyWeights weights;
-  weights.regularizer = kIsometricRegularizer;
+  weights.regularizer = limbs.regularizer;
   weights.unit = segments().radius;
   weights.data = static_cast<double> (samples_.size()) /
-                 std::max (1, std::min (kSourceSeeks, samples_.size()));
+                 std::max (1, std::min (limbs.source_seeks, samples_.size()));
   PointProblem problem (samples_, segments(), weights, threads_, poses_);
-  for (int i = 0; i < kIsometricSteps && !progress_.stopped(); ++i) {
+  for (int i = 0; i < limbs.steps && !progress_.stopped(); ++i) {
     const MovedPoints moved = movePoints (samples_, poses_, threads_);
-    const double scale = kIsometricFrom * std::pow (kIsometricTo / kIsometricFrom,
-                                                    i / (kIsometricSteps - 1.0));
+    const double scale =
+        limbs.from * std::pow (limbs.to / limbs.from, i / (limbs.steps - 1.0));
     std::vector<PointPull> pulls (samples_.size());
     for (const PointPair& pair : pairs) {
       const Eigen::Vector3f& q = clouds_.target.thin.points[pair.target];
@@ -177,7 +164,7 @@ PointSolve::followPairs (const std::vector<PointPair>& pairs)
           q.cast<double>(), Eigen::Vector3d::Zero(), pair.weight * g * g, 1.0);
     }
     progress_.note (static_cast<int> (cuts_.size()) - 1 - cut_,
-                    problem.step (pulls, kStepIterations),
+                    problem.step (pulls, tuning_.match.iterations),
                     "limbs");
   }
 }
@@ -186,31 +173,31 @@ double
 PointSolve::explained()
 {
   const auto [source, target] = coarse_.explained (
-      movePoints (samples_, poses_, threads_), tightRules(), threads_);
+      movePoints (samples_, poses_, threads_), tightRules (tuning_.match), threads_);
   return source + target;
 }
 
 void
 PointSolve::run()
 {
-  const int last = static_cast<int> (kStages.size()) - 1;
+  const int last = static_cast<int> (tuning_.stages.size()) - 1;
   for (int c = 0; c <= last && !progress_.stopped(); ++c) {
     enter (c);
-    match (kStages[c], c == last ? fine_ : coarse_);
+    match (tuning_.stages[c], c == last ? fine_ : coarse_);
   }
-  for (int round = 0; round < kRounds && !progress_.stopped(); ++round) {
+  for (int round = 0; round < tuning_.limbs.rounds && !progress_.stopped(); ++round) {
     const std::vector<RigidPose> before = poses_;
     const double reached = explained();
     const std::vector<PointPair> pairs = isometricPairs();
-    enter (kIsometricCut);
+    enter (tuning_.limbs.cut);
     followPairs (pairs);
-    match (kStages[kIsometricCut], coarse_);
+    match (tuning_.stages[tuning_.limbs.cut], coarse_);
     enter (last);
-    match (kStages[last], fine_);
+    match (tuning_.stages[last], fine_);
     const double now = explained();
     if (now < reached)
       poses_ = before;
-    if (now < (1.0 + kGain) * reached)
+    if (now < (1.0 + tuning_.limbs.gain) * reached)
       break;
   }
 }

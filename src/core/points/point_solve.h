@@ -11,22 +11,15 @@
 
 namespace pcl_msf {
 
-/** \brief A resolution of the solve. Lengths in sizes of the source. */
-struct PointStage {
-  int segments;       ///< of the source
-  double regularizer; ///< gamma
-  double from;        ///< scale of the matches' robust weight in the first step
-  double to;          ///< and in the last one
-  int steps;
-};
-
 /** \brief Finds a motion per segment of the source, coarse to fine, then again with
  * limbs that moved far started from what their distances along the surface say. */
 class PointSolve {
 public:
-  /** \param start of all segments, on scaled points */
+  /** \param start of all segments, on scaled points
+   * \param clouds, tuning must outlive this */
   PointSolve (const PointClouds& clouds,
               const RigidPose& start,
+              const Tuning& tuning,
               int threads,
               SolveProgress& progress);
 
@@ -68,6 +61,7 @@ private:
   explained ();
 
   const PointClouds& clouds_;
+  const PointTuning& tuning_;
   int threads_;
   SolveProgress& progress_;
   std::vector<SurfaceSegments> cuts_; ///< per stage

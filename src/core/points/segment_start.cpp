@@ -9,9 +9,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kRounds = 5;
-constexpr std::size_t kFewest = 4; // pairs that tell a motion
-
 RigidPose
 fitOnce (const Eigen::Matrix3Xd& from,
          const Eigen::Matrix3Xd& to,
@@ -38,13 +35,14 @@ RigidPose
 fitPairs (const Eigen::Matrix3Xd& from,
           const Eigen::Matrix3Xd& to,
           const std::vector<double>& weights,
-          double scale)
+          double scale,
+          const LimbTuning& tuning)
 {
   const Eigen::Map<const Eigen::VectorXd> given (
       weights.data(), static_cast<Eigen::Index> (weights.size()));
   Eigen::VectorXd w = given;
   RigidPose pose;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < tuning.fit_rounds; ++round) {
     pose = fitOnce (from, to, w);
     const Eigen::Matrix3d r = pose.rotation();
     for (Eigen::Index i = 0; i < w.size(); ++i) {
@@ -62,6 +60,7 @@ startSegments (const Surface& source,
                const SurfaceSegments& segments,
                const std::vector<PointPair>& pairs,
                double scale,
+               const LimbTuning& tuning,
                std::vector<RigidPose>& poses)
 {
   std::vector<std::vector<const PointPair*>> of (segments.size());
@@ -69,7 +68,7 @@ startSegments (const Surface& source,
     for (const Membership& m : segments.members[pair.source])
       of[m.segment].push_back (&pair);
   for (int k = 0; k < segments.size(); ++k) {
-    if (of[k].size() < kFewest)
+    if (static_cast<int> (of[k].size()) < tuning.fit_pairs)
       continue;
     const auto n = static_cast<Eigen::Index> (of[k].size());
     Eigen::Matrix3Xd from (3, n);
@@ -80,7 +79,7 @@ startSegments (const Surface& source,
       to.col (i) = target.points[of[k][i]->target].cast<double>();
       weights.push_back (of[k][i]->weight + 1e-6);
     }
-    poses[k] = fitPairs (from, to, weights, scale);
+    poses[k] = fitPairs (from, to, weights, scale, tuning);
   }
 }
 

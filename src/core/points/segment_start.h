@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/point_tuning.h"
 #include "core/points/isometry.h"
 #include "core/surface/surface_segments.h"
 #include <pcl_msf/rigid_pose.h>
@@ -16,7 +17,8 @@ RigidPose
 fitPairs (const Eigen::Matrix3Xd& from,
           const Eigen::Matrix3Xd& to,
           const std::vector<double>& weights,
-          double scale);
+          double scale,
+          const LimbTuning& tuning);
 
 /** \brief Every segment's motion by the pairs that it and its overlap hold; segments
  * with hardly any keep theirs. */
@@ -26,6 +28,7 @@ startSegments (const Surface& source,
                const SurfaceSegments& segments,
                const std::vector<PointPair>& pairs,
                double scale,
+               const LimbTuning& tuning,
                std::vector<RigidPose>& poses);
 
 } // namespace pcl_msf

@@ -15,6 +15,7 @@ namespace {
 constexpr float kToleranceSigmas = 5.0f; // that SegmentPixels::depth_tolerance holds
 constexpr float kMadToSigma = 1.4826f;
 constexpr float kMostWidening = 3.0f;
+constexpr std::size_t kMostSamples = 20000; // that a median is taken of
 constexpr float kMostShare = 0.1f; // of the inverse depth: more tells no surfaces apart
 constexpr int kSurface = 4;        // measurements that make one
 
@@ -69,7 +70,8 @@ float
 widening (const std::vector<Landing>& landings, const std::vector<float>& tolerance)
 {
   std::vector<float> sizes;
-  for (std::size_t i = 0; i < landings.size(); ++i) {
+  const std::size_t step = 1 + landings.size() / kMostSamples;
+  for (std::size_t i = 0; i < landings.size(); i += step) {
     const float size = std::abs (landings[i].shown - landings[i].expected);
     if (landings[i].shown > 0.0f && size <= kMostWidening * tolerance[i])
       sizes.push_back (size / tolerance[i]);

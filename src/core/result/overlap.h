@@ -19,6 +19,14 @@ struct Overlap {
 Overlap
 measureOverlap (const RgbdFrame& current, const SceneFlow& flow);
 
+/** \brief Counts the points that would stand before what the other frame measures where
+ * they land: it could not have seen that through them. Points behind it may be hidden.
+ * \param flow with flow, points and displacement */
+int
+countInFront (const RgbdFrame& reference,
+              const RgbdFrame& current,
+              const SceneFlow& flow);
+
 /** \brief How alike the texture of visible points is in both frames. */
 struct Likeness {
   int patches{0};     ///< small squares whose texture stands out of the noise

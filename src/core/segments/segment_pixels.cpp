@@ -55,7 +55,7 @@ thin (int max_per_segment, SegmentPixels& out)
 void
 resizeArrays (SegmentPixels& out)
 {
-  const std::size_t n = out.pixel.size();
+  const std::size_t n = out.pixel.size() + SegmentPixels::kPadding;
   for (auto* a : {&out.x,
                   &out.y,
                   &out.z,

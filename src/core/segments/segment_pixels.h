@@ -31,10 +31,13 @@ struct NoiseModel {
 /** \brief The reference points of one level, grouped by segment: Omega_k of Eq. 6.
  *
  * Structure of arrays in float, in raster order within a segment; the kernels run over
- * ranges of it. Scales are one over the standard deviation of a residual; 0 switches a
+ * ranges of it, in groups that may end among the next segment's points: kPadding zeros
+ * follow the last point in the arrays of float. Scales are one over the standard deviation of a residual; 0 switches a
  * point's residual off (no intensity, no normal).
  */
 struct SegmentPixels {
+  static constexpr int kPadding = 15;
+
   std::vector<int> begin;        ///< K + 1 offsets
   std::vector<int> pixel;        ///< y * width + x in the level's image
   std::vector<float> x, y, z;    ///< metres

@@ -302,8 +302,8 @@ WindowSolve::spreadMotions()
 void
 WindowSolve::measureCorrelation (int level)
 {
-  scene_.noise.areas =
-      measureCorrelationAreas (level_->terms(), state_, level, scene_.noise.areas);
+  scene_.noise.areas = measureCorrelationAreas (
+      level_->terms(), state_, level, scene_.noise.areas, scene_.threads);
   level_->reweigh();
 }
 

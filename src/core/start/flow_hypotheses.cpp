@@ -23,6 +23,9 @@ constexpr int kVoters = 4;             // samples per segment in the search for 
 constexpr double kVoteLimit = 3.0;     // pixels
 constexpr double kSmallestBody = 0.02; // share of all voters
 constexpr int kLeastFlowSide = 16;     // pixels: two patches
+constexpr int kQuarterWidth = 640;     // pixels: larger images are matched at a quarter
+constexpr int kQuarterHeight = 128;
+constexpr int kQuarterWidthOfDepth = 320; // likewise, of images of depth
 
 /** Samples of all segments; those of segment k are [begin[k], begin[k + 1]). */
 struct SampleTable {
@@ -134,11 +137,12 @@ findBodies (const SampleTable& table,
   return bodies;
 }
 
-/** Flow between 8-bit images at half their resolution. Where a side is shorter than two
- * of its patches, OpenCV chooses the pyramid by the width alone and reads outside the
- * image: the border is repeated up to there. */
+/** Flow between 8-bit images at half their resolution, of images of some width on
+ * enlarged from that at a quarter: the segments' fits need no more. Where a side is
+ * shorter than two of its patches, OpenCV chooses the pyramid by the width alone and
+ * reads outside the image: the border is repeated up to there. */
 cv::Mat
-matchHalves (const cv::Mat& first, const cv::Mat& second)
+matchHalves (const cv::Mat& first, const cv::Mat& second, int quarters_from)
 {
   const cv::Size half (std::max (1, first.cols / 2), std::max (1, first.rows / 2));
   const int right = std::max (0, kLeastFlowSide - half.width);
@@ -152,7 +156,8 @@ matchHalves (const cv::Mat& first, const cv::Mat& second)
   }
   cv::Mat flow;
   const auto dis = cv::DISOpticalFlow::create (cv::DISOpticalFlow::PRESET_MEDIUM);
-  dis->setFinestScale (0);
+  const bool large = first.cols >= quarters_from && first.rows >= kQuarterHeight;
+  dis->setFinestScale (large ? 1 : 0);
   dis->calc (from, to, flow);
   return flow (cv::Rect ({0, 0}, half));
 }
@@ -185,8 +190,9 @@ CoarseFlow
 estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current, int threads)
 {
   CoarseFlow result{{}, 1};
-  withThreads (threads,
-               [&] { result.flow = matchHalves (reference.gray(), current.gray()); });
+  withThreads (threads, [&] {
+    result.flow = matchHalves (reference.gray(), current.gray(), kQuarterWidth);
+  });
   return result;
 }
 
@@ -206,7 +212,9 @@ estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current, int thr
   first.convertTo (gray_first, CV_8U, scale);
   second.convertTo (gray_second, CV_8U, scale);
   CoarseFlow result{{}, level + 1};
-  withThreads (threads, [&] { result.flow = matchHalves (gray_first, gray_second); });
+  withThreads (threads, [&] {
+    result.flow = matchHalves (gray_first, gray_second, kQuarterWidthOfDepth);
+  });
   return result;
 }
 

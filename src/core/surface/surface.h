@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/surface_tuning.h"
 #include "core/surface/surface_graph.h"
 
 #include <vector>
@@ -26,15 +27,22 @@ struct Surface {
 
 /** \brief Finds normals, the graph and the borders of points. */
 Surface
-makeSurface (std::vector<Eigen::Vector3f> points, int threads);
+makeSurface (std::vector<Eigen::Vector3f> points,
+             const SurfaceTuning& tuning,
+             int threads);
 
 /** \brief Some points of a surface as one of its own: they keep their normals. */
 Surface
-thinSurface (const Surface& surface, const std::vector<int>& chosen, int threads);
+thinSurface (const Surface& surface,
+             const std::vector<int>& chosen,
+             const SurfaceTuning& tuning,
+             int threads);
 
 /** \brief Per point: does it lie on a surface? Not when it is far from all others or
  * its few neighbours lie around it like dust. */
 std::vector<char>
-onSurface (const std::vector<Eigen::Vector3f>& points, int threads);
+onSurface (const std::vector<Eigen::Vector3f>& points,
+           const SurfaceTuning& tuning,
+           int threads);
 
 } // namespace pcl_msf

@@ -62,9 +62,8 @@ bothWays (const Neighbors& neighbors)
 
 /** Does a step lead through a gap or a thin part, along both normals? */
 bool
-leapsOff (const Points& points, const Points& normals, int a, int b)
+leapsOff (const Points& points, const Points& normals, int a, int b, float steep)
 {
-  constexpr float steep = 0.8f; // cosine
   const Eigen::Vector3f edge = (points[b] - points[a]).normalized();
   return std::abs (edge.dot (normals[a])) > steep &&
          std::abs (edge.dot (normals[b])) > steep;
@@ -75,6 +74,7 @@ void
 turnPiece (int first,
            const Points& points,
            const std::vector<std::vector<int>>& lists,
+           float steep,
            Points& normals,
            std::vector<char>& done,
            std::vector<int>& piece)
@@ -92,7 +92,7 @@ turnPiece (int first,
     if (normals[to].dot (normals[from]) < 0.0f)
       normals[to] = -normals[to];
     for (const int next : lists[to])
-      if (!done[next] && !leapsOff (points, normals, to, next))
+      if (!done[next] && !leapsOff (points, normals, to, next, steep))
         queue.push ({doubt (points, normals, to, next), next, to});
   }
 }
@@ -122,7 +122,10 @@ turnOutwards (const Points& points,
 } // namespace
 
 std::vector<Eigen::Vector3f>
-surfaceNormals (const Points& points, const Neighbors& neighbors, int threads)
+surfaceNormals (const Points& points,
+                const Neighbors& neighbors,
+                const SurfaceTuning& tuning,
+                int threads)
 {
   Points normals (points.size());
   parallelFor (threads, static_cast<int> (points.size()), 256, [&] (int i) {
@@ -138,7 +141,8 @@ surfaceNormals (const Points& points, const Neighbors& neighbors, int threads)
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!done[i]) {
       piece.clear();
-      turnPiece (static_cast<int> (i), points, lists, normals, done, piece);
+      turnPiece (
+          static_cast<int> (i), points, lists, tuning.leap, normals, done, piece);
       turnOutwards (points, neighbors, piece, normals);
     }
   return normals;

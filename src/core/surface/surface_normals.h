@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/surface_tuning.h"
 #include "core/surface/point_tree.h"
 
 #include <vector>
@@ -13,6 +14,7 @@ namespace pcl_msf {
 std::vector<Eigen::Vector3f>
 surfaceNormals (const std::vector<Eigen::Vector3f>& points,
                 const std::vector<std::vector<FoundPoint>>& neighbors,
+                const SurfaceTuning& tuning,
                 int threads);
 
 /** \brief How far a point is from the plane of its neighbours, and how far these are

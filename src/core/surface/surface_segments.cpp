@@ -11,9 +11,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr std::size_t kMembers = 4; // segments that a point follows at the most
-constexpr float kOverlap = 2.4f;    // how far a segment is felt, in typical radii
-
 /** Farthest-point seeds and each point's nearest one. */
 void
 plantSeeds (const Surface& surface,
@@ -109,9 +106,9 @@ linkPieces (const Surface& surface, SurfaceSegments& segments)
 
 /** Weights that fall off with the distance along the surface. */
 void
-overlap (const Surface& surface, SurfaceSegments& segments)
+overlap (const Surface& surface, const SurfaceTuning& tuning, SurfaceSegments& segments)
 {
-  const auto limit = static_cast<float> (kOverlap * segments.radius);
+  const auto limit = static_cast<float> (tuning.overlap * segments.radius);
   segments.members.assign (surface.size(), {});
   std::vector<float> distances (surface.size(), SurfaceGraph::kUnreached);
   std::vector<int> touched;
@@ -141,8 +138,7 @@ overlap (const Surface& surface, SurfaceSegments& segments)
     std::stable_sort (list.begin(), list.end(), [] (const auto& a, const auto& b) {
       return a.weight > b.weight;
     });
-    if (list.size() > kMembers)
-      list.resize (kMembers);
+    list.resize (std::min<std::size_t> (list.size(), tuning.members));
     float sum = 0.0f;
     for (const Membership& m : list)
       sum += m.weight;
@@ -154,7 +150,10 @@ overlap (const Surface& surface, SurfaceSegments& segments)
 } // namespace
 
 SurfaceSegments
-cutSurface (const Surface& surface, int count, const std::vector<int>& seeds)
+cutSurface (const Surface& surface,
+            int count,
+            const std::vector<int>& seeds,
+            const SurfaceTuning& tuning)
 {
   SurfaceSegments segments;
   std::vector<float> distances;
@@ -173,7 +172,7 @@ cutSurface (const Surface& surface, int count, const std::vector<int>& seeds)
   segments.radius = std::max (reach, 1e-6 * surface.median_spacing);
   linkTouching (surface, segments);
   linkPieces (surface, segments);
-  overlap (surface, segments);
+  overlap (surface, tuning, segments);
   return segments;
 }
 

@@ -34,6 +34,9 @@ struct SurfaceSegments {
 /** \brief Seeds far from each other along the surface, every point with its nearest.
  * \param seeds of a coarser cut to keep, may be empty */
 SurfaceSegments
-cutSurface (const Surface& surface, int count, const std::vector<int>& seeds);
+cutSurface (const Surface& surface,
+            int count,
+            const std::vector<int>& seeds,
+            const SurfaceTuning& tuning);
 
 } // namespace pcl_msf

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "core/energy/pose_coupling.h"
+#include "core/energy/eliminated_coupling.h"
 #include <ceres/gradient_checker.h>
 
 #include <cmath>
@@ -119,6 +119,68 @@ TEST_P (CouplingCost, ShiftsDifferByTheirDifference)
   const double shift = -0.7 * 0.25 * (metric ? kScale.unit : 1.0);
   for (int i = 0; i < 7; ++i)
     EXPECT_NEAR (r[i], i == (metric ? 1 : 4) ? shift : 0.0, 1e-9) << i;
+}
+
+/** Residuals and Jacobians of the lifted form, the weight at its optimum. */
+struct Lifted {
+  Eigen::Matrix<double, 7, 1> residuals;
+  Eigen::Matrix<double, 7, 13> jacobian; ///< pose j, pose h, w
+};
+
+Lifted
+liftedAt (const RigidPose& first, const RigidPose& second, PoseDifference form)
+{
+  const Vector6 d = poseDifference (first, second, kLink, kScale.unit, form);
+  const double w = optimalWeight (d.squaredNorm(), 0.7 * 0.7, 1.3 * 1.3);
+  const double* parameters[] = {first.parameters.data(), second.parameters.data(), &w};
+  double j[2][42];
+  double jw[7];
+  double* jacobians[] = {j[0], j[1], jw};
+  Lifted at;
+  EXPECT_TRUE (PoseCouplingCost (kLink, kScale, form)
+                   .Evaluate (parameters, at.residuals.data(), jacobians));
+  for (int r = 0; r < 7; ++r) {
+    for (int c = 0; c < 12; ++c)
+      at.jacobian (r, c) = j[c / 6][6 * r + c % 6];
+    at.jacobian (r, 12) = jw[r];
+  }
+  return at;
+}
+
+TEST_P (CouplingCost, EliminatedWeightLeavesTheSchurComplement)
+{
+  const auto [form, angle] = GetParam();
+  std::mt19937 generator (12);
+  for (int trial = 0; trial < 10; ++trial) {
+    const RigidPose first = randomPose (generator, angle);
+    const RigidPose second = trial == 0 ? first : randomPose (generator, 0.7 * angle);
+    const double* parameters[] = {first.parameters.data(), second.parameters.data()};
+    Vector6 r;
+    double j[2][36];
+    double* jacobians[] = {j[0], j[1]};
+    ASSERT_TRUE (EliminatedCouplingCost (kLink, kScale, form)
+                     .Evaluate (parameters, r.data(), jacobians));
+    Eigen::Matrix<double, 6, 12> jacobian;
+    for (int c = 0; c < 12; ++c)
+      for (int row = 0; row < 6; ++row)
+        jacobian (row, c) = j[c / 6][6 * row + c % 6];
+    const Lifted lifted = liftedAt (first, second, form);
+    EXPECT_NEAR (r.squaredNorm(),
+                 lifted.residuals.squaredNorm(),
+                 1e-9 * lifted.residuals.squaredNorm() + 1e-20);
+    const Eigen::Matrix<double, 12, 1> gradient =
+        lifted.jacobian.leftCols<12>().transpose() * lifted.residuals;
+    EXPECT_LT ((jacobian.transpose() * r - gradient).norm(),
+               1e-9 * gradient.norm() + 1e-12);
+    const Eigen::Matrix<double, 13, 13> full =
+        lifted.jacobian.transpose() * lifted.jacobian;
+    const Eigen::Matrix<double, 12, 1> mixed = full.topRightCorner<12, 1>();
+    const double across = full (12, 12);
+    const double size = full.topLeftCorner<12, 12>().norm();
+    const Eigen::Matrix<double, 12, 12> schur =
+        full.topLeftCorner<12, 12>() - mixed * mixed.transpose() / across;
+    EXPECT_LT ((jacobian.transpose() * jacobian - schur).norm(), 1e-9 * size);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P (

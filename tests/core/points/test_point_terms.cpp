@@ -132,9 +132,9 @@ TEST (PartMerging, JoinsWhatMovesAsOneAndNoMore)
     if (k > 0)
       links.push_back ({k - 1, k, Eigen::Vector3d::Zero(), 0.1});
   }
-  const MergedParts parts = mergeParts (moments, poses, links, 1e-6);
+  const MergedParts parts = mergeParts (moments, poses, links, 1e-6, {});
   EXPECT_EQ (parts.part_of, (std::vector<int>{0, 0, 1, 1}));
-  EXPECT_EQ (mergeParts (moments, poses, links, 1.0).poses.size(), 1u);
+  EXPECT_EQ (mergeParts (moments, poses, links, 1.0, {}).poses.size(), 1u);
 }
 
 TEST (SegmentStart, PairsThatAreWrongDoNotTurnIt)
@@ -145,7 +145,7 @@ TEST (SegmentStart, PairsThatAreWrongDoNotTurnIt)
     to.col (i) = kPose * Eigen::Vector3d (from.col (i));
   for (int i = 0; i < 8; ++i)
     to.col (i) += Eigen::Vector3d (1.0, 0.5, -0.7);
-  const RigidPose found = fitPairs (from, to, std::vector<double> (40, 1.0), 0.05);
+  const RigidPose found = fitPairs (from, to, std::vector<double> (40, 1.0), 0.05, {});
   for (int k = 0; k < 6; ++k)
     EXPECT_NEAR (found.parameters[k], kPose.parameters[k], 1e-3);
 }

@@ -47,7 +47,7 @@ TEST (PointTree, FindsTheNearestInOrder)
 
 TEST (Surface, NormalsOfAClosedSurfacePointOutwards)
 {
-  const Surface surface = makeSurface (sphere (2000), 2);
+  const Surface surface = makeSurface (sphere (2000), {}, 2);
   for (int i = 0; i < surface.size(); ++i) {
     EXPECT_GT (surface.normals[i].dot (surface.points[i]), 0.97f) << i;
     EXPECT_FALSE (surface.border[i]) << i;
@@ -60,7 +60,7 @@ TEST (Surface, NormalsOfAClosedSurfacePointOutwards)
 TEST (Surface, DistancesRunAlongIt)
 {
   const Points points = sphere (4000);
-  const Surface surface = makeSurface (points, 2);
+  const Surface surface = makeSurface (points, {}, 2);
   std::vector<float> distance (points.size(), SurfaceGraph::kUnreached);
   surface.graph.spread (0, distance, [] (int, float) { return true; });
   // From pole to pole: pi, not 2 through the middle; a graph's ways are a bit longer.
@@ -74,7 +74,7 @@ TEST (Surface, NeverBridgesAGap)
   Points points = sphere (3000);
   const Points other = sphere (3000, Eigen::Vector3f (2.2f, 0, 0));
   points.insert (points.end(), other.begin(), other.end());
-  const Surface surface = makeSurface (points, 2);
+  const Surface surface = makeSurface (points, {}, 2);
   for (int i = 0; i < surface.size(); ++i)
     for (const SurfaceEdge* e = surface.graph.begin (i); e != surface.graph.end (i);
          ++e)
@@ -87,7 +87,7 @@ TEST (Surface, SeesItsBorder)
   for (int y = 0; y < 30; ++y)
     for (int x = 0; x < 30; ++x)
       points.emplace_back (0.1f * x, 0.1f * y, 0.0f);
-  const Surface surface = makeSurface (points, 1);
+  const Surface surface = makeSurface (points, {}, 1);
   EXPECT_TRUE (surface.border[0]);
   EXPECT_TRUE (surface.border[15]);
   EXPECT_FALSE (surface.border[15 * 30 + 15]);
@@ -106,7 +106,7 @@ TEST (Surface, DustIsNotOnIt)
     points.push_back (p);
     is_dust.push_back (1);
   }
-  const std::vector<char> kept = onSurface (points, 2);
+  const std::vector<char> kept = onSurface (points, {}, 2);
   int dust = 0;
   int lost = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -119,9 +119,9 @@ TEST (Surface, DustIsNotOnIt)
 
 TEST (SurfaceSegments, CutEvenlyAndHoldTogether)
 {
-  const Surface surface = makeSurface (sphere (3000), 2);
-  const SurfaceSegments coarse = cutSurface (surface, 10, {});
-  const SurfaceSegments fine = cutSurface (surface, 40, coarse.seeds);
+  const Surface surface = makeSurface (sphere (3000), {}, 2);
+  const SurfaceSegments coarse = cutSurface (surface, 10, {}, {});
+  const SurfaceSegments fine = cutSurface (surface, 40, coarse.seeds, {});
   ASSERT_EQ (fine.size(), 40);
   for (int k = 0; k < 10; ++k)
     EXPECT_EQ (fine.seeds[k], coarse.seeds[k]);
@@ -150,7 +150,7 @@ TEST (SurfaceSegments, PiecesHangTogether)
   Points points = sphere (1500);
   const Points other = sphere (500, Eigen::Vector3f (5.0f, 0, 0));
   points.insert (points.end(), other.begin(), other.end());
-  const SurfaceSegments segments = cutSurface (makeSurface (points, 1), 20, {});
+  const SurfaceSegments segments = cutSurface (makeSurface (points, {}, 1), 20, {}, {});
   int across = 0;
   for (const SegmentLink& link : segments.links)
     across +=

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/base/tuning/tuned_value.h"
+
+#include <array>
+
+namespace pcl_msf {
+
+// Values of the solve on points without a grid. A "size" is the source's, a "spacing"
+// the target's median distance between neighbours. All were chosen on pairs of clouds
+// of bodies with exact correspondences; see "Far limbs by geodesic anchors" in
+// DECISIONS.md.
+
+/** \brief How many points work. */
+struct PointCloudTuning {
+  int most_points{40000}; ///< that work, others follow their neighbours; more is slower
+  int samples{4000};      ///< of these in all solves but the last; more is slower
+};
+
+/** \brief How points find each other. */
+struct PointMatchTuning {
+  double isotropy{0.1};      ///< share of point-to-point in point-to-plane: more holds
+                             ///< against sliding, less lets surfaces slide to fit
+  double backward{1.0};      ///< weight of the target's points' own matches
+  double least_mutual{0.02}; ///< sizes: least scale of the way there and back
+  double normal_length{1.0}; ///< what a difference of normals of 1 counts as, scales of
+                             ///< the distance
+  double least_normal{0.01}; ///< sizes: that length is no smaller
+  double tight{0.01};        ///< sizes: distance of pairs that are surely right
+  double tight_normal{0.02}; ///< sizes: length of normals for these
+  double tight_weight{0.4};  ///< least robust weight of such a pair
+  int iterations{2};         ///< of the solver between two searches for matches
+};
+
+/** \brief What a bend may do to distances along the surface. */
+struct IsometryTuning {
+  float stretch{0.08f};   ///< of a distance
+  float slack{0.015f};    ///< sizes, besides: what sampling does
+  double agreement{0.55}; ///< of an anchor with the others, mean, at least: more leaves
+                          ///< few anchors, less lets wrong ones in
+  float score{0.5f};      ///< of a match, at least: likewise
+  float way_back{0.04f};  ///< sizes: scale of the way there and back
+  float near{0.1f};       ///< sizes: nearer anchors all count alike
+};
+
+/** \brief A resolution of the solve. Lengths in sizes. */
+struct PointStage {
+  int segments;       ///< of the source
+  double regularizer; ///< gamma
+  double from;        ///< scale of the matches' robust weight in the first step
+  double to;          ///< and in the last one
+  int steps;
+};
+
+/** \brief Limbs that moved far, started anew from distances along the surface. */
+struct LimbTuning {
+  int rounds{4};           ///< of starting anew, at the most
+  double gain{2e-3};       ///< of what is explained, for one more round
+  int cut{2};              ///< the stage whose segments are started
+  int steps{15};           ///< along the pairs
+  double regularizer{0.2}; ///< gamma meanwhile
+  double from{0.2};        ///< sizes: scale of the pairs' robust weight, at first
+  double to{0.03};         ///< and last
+  int anchors{80};         ///< pairs that may be; more is slower
+  int source_seeks{1000};  ///< points that look for their place
+  int target_seeks{2000};  ///< and where
+  int fit_rounds{5};       ///< of the robust fit of a segment to its pairs
+  int fit_pairs{4};        ///< that tell a segment's motion
+};
+
+/** \brief What moves as one. */
+struct PointPartTuning {
+  double allowance{10.0};   ///< of a merge, halved squared deviations: more makes fewer
+                            ///< parts
+  double per_point{0.25};   ///< further, per point of the smaller part
+  double rigid_share{0.02}; ///< of the points: a body of its own, else motions blend
+  int polish{4};            ///< rounds of fitting the bodies' motions
+  int absorb{5};            ///< rounds of joining what fits a larger body as well
+  double worse{0.12};       ///< spacings that joining may cost
+  double worse_share{0.1};  ///< and a share of the part's own distance
+  int smoothing{2};         ///< rounds over neighbours when borders are drawn
+  double floor{0.1};        ///< spacings: least deviation; planes are no better
+  double reach{2.0};        ///< spacings: scale of matches between parts
+  double limit{3.0};        ///< spacings: farther is no match
+  double normal_length{0.01}; ///< sizes: what a difference of normals of 1 counts as
+  double isotropy{0.01};      ///< keeps near what planes leave free
+};
+
+/** \brief What is told of the result. */
+struct PointResultTuning {
+  double found{4.0};          ///< spacings: a surface is seen there
+  double normal_length{0.02}; ///< sizes: what a difference of normals of 1 counts as
+  double joint_share{0.02};   ///< of the points: a part that has joints
+  double unexplained{0.02};   ///< of both clouds: something lies elsewhere
+};
+
+/** \brief The solve on points. */
+struct PointTuning {
+  PointCloudTuning clouds;
+  PointMatchTuning match;
+  std::array<PointStage, 4> stages{{{30, 0.6, 0.10, 0.06, 10},
+                                    {60, 0.2, 0.08, 0.03, 15},
+                                    {150, 0.06, 0.05, 0.02, 15},
+                                    {400, 0.02, 0.03, 0.005, 15}}};
+  IsometryTuning isometry;
+  LimbTuning limbs;
+  PointPartTuning parts;
+  PointResultTuning result;
+};
+
+void
+listValues (PointTuning& tuning, TunedValues& values);
+
+} // namespace pcl_msf
