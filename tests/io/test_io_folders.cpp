@@ -42,7 +42,7 @@ TEST (TextFiles, RefusesMalformedCamerasAndPoses)
   expectIoError (camera ("500 500 320 240 6e40 480 1"), "camera.txt", "width");
   expectIoError (camera ("0 500 320 240 640 480 1"), "camera.txt", "fx");
   expectIoError (camera ("500 500 320 240 640 480 0"), "camera.txt", "depth_scale");
-  expectIoError (camera ("500 500 320 240 640 480 1 9"), "camera.txt", "end");
+  expectIoError (camera ("500 500 320 240 640 480 1 9"), "camera.txt", "distortion");
   writeFile (folder ("pose.txt"), "2 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1");
   expectIoError ([&] { io::readPose (folder ("pose.txt")); }, "pose.txt", "matrix");
 }

@@ -73,11 +73,8 @@ rowsOf (const Eigen::Matrix4f& matrix)
 Json
 cameraOf (const PinholeCamera& camera, const LensDistortion& removed)
 {
-  Json json = {{"fx", camera.fx},
-               {"fy", camera.fy},
-               {"cx", camera.cx},
-               {"cy", camera.cy},
-               {"removed_distortion", nullptr}};
+  Json json = {
+      {"fx", camera.fx}, {"fy", camera.fy}, {"cx", camera.cx}, {"cy", camera.cy}};
   if (!removed.isNone())
     json["removed_distortion"] = {{"k1", removed.k1},
                                   {"k2", removed.k2},
