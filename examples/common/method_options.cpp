@@ -2,6 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "common/method_options.h"
 
+#include <opencv2/core.hpp>
+
+#include <algorithm>
+
 namespace pcl_msf::tool {
 
 namespace {
@@ -95,6 +99,18 @@ addSolverOptions (CLI::App& app, SolverParameters& p)
   addNumber (app, "--threads", "N", "0 = all", p.threads);
 }
 
+template <typename Parameters>
+void
+checkParameters (const Parameters& parameters)
+{
+  std::string why;
+  if (parameters.isValid (&why))
+    return;
+  for (char& c : why)
+    c = c == '_' ? '-' : c;
+  throw UsageError ("--" + why);
+}
+
 } // namespace
 
 void
@@ -104,6 +120,44 @@ addMethodOptions (CLI::App& app, MethodSettings& settings)
   addSegmentationOptions (app, settings.segmentation);
   addEnergyOptions (app, settings.energy);
   addSolverOptions (app, settings.solver);
+}
+
+void
+addMultiframeOptions (CLI::App& app, WindowSettings& settings)
+{
+  MultiframeParameters& p = settings.multiframe;
+  addFlag (app, "--rigid", "the whole scene is one rigid body", settings.rigid);
+  addNumber (
+      app, "--concatenation-weight", "W", "lambda of Eq. 14", p.concatenation_weight);
+  addNumber (app,
+             "--max-span",
+             "N",
+             "leave out pairs of frames farther apart, 0 = none",
+             p.max_span);
+  addSwitch (app,
+             "--static-background",
+             "the largest body is a rigid background",
+             p.static_background);
+}
+
+void
+checkSettings (WindowSettings& settings)
+{
+  checkParameters (settings.frame);
+  checkParameters (settings.segmentation);
+  checkParameters (settings.energy);
+  checkParameters (settings.solver);
+  checkParameters (settings.multiframe);
+  if (settings.rigid)
+    settings.segmentation.method = SegmentationMethod::Single;
+}
+
+void
+limitThreads (const MethodSettings& settings)
+{
+  if (settings.solver.threads > 0)
+    cv::setNumThreads (
+        std::min (static_cast<int> (settings.solver.threads), cv::getNumberOfCPUs()));
 }
 
 } // namespace pcl_msf::tool

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "common/command_line.h"
+#include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/parameters.h>
 
 namespace pcl_msf::tool {
@@ -19,5 +20,25 @@ struct MethodSettings {
  * application. */
 void
 addMethodOptions (CLI::App& app, MethodSettings& settings);
+
+/** \brief Those for more than two frames. */
+struct WindowSettings : MethodSettings {
+  int window{0};     ///< frames solved jointly; 0 = a number that the tool chooses
+  bool rigid{false}; ///< the whole scene is one rigid body
+  MultiframeParameters multiframe;
+};
+
+/** \brief Adds --rigid and the multiframe parameters, as addMethodOptions does. */
+void
+addMultiframeOptions (CLI::App& app, WindowSettings& settings);
+
+/** \brief Checks all parameters once they are read, and lets --rigid choose the
+ * segmentation. \throws UsageError naming the option */
+void
+checkSettings (WindowSettings& settings);
+
+/** \brief Lets OpenCV have no more threads than the settings allow. */
+void
+limitThreads (const MethodSettings& settings);
 
 } // namespace pcl_msf::tool

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "inputs.h"
 
-#include "depth_check.h"
+#include "common/depth_check.h"
 #include <pcl_msf/io/cloud_files.h>
 #include <pcl_msf/io/datasets.h>
 #include <pcl_msf/io/images.h>

@@ -89,21 +89,7 @@ addWindowOptions (CLI::App& app, Options& o)
       ->excludes (reference)
       ->excludes (app.get_option ("--labels"))
       ->excludes (app.get_option ("--shard"));
-  addFlag (app, "--rigid", "the whole scene is one rigid body", o.rigid);
-  addNumber (app,
-             "--concatenation-weight",
-             "W",
-             "lambda of Eq. 14",
-             o.multiframe.concatenation_weight);
-  addNumber (app,
-             "--max-span",
-             "N",
-             "leave out pairs of frames farther apart, 0 = none",
-             o.multiframe.max_span);
-  addSwitch (app,
-             "--static-background",
-             "the largest body is a rigid background",
-             o.multiframe.static_background);
+  addMultiframeOptions (app, o);
 }
 
 } // namespace

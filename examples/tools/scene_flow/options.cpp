@@ -56,18 +56,6 @@ checkInputs (const Options& options)
                       ", must be at most 16 with --track");
 }
 
-template <typename Parameters>
-void
-checkParameters (const Parameters& parameters)
-{
-  std::string why;
-  if (parameters.isValid (&why))
-    return;
-  for (char& c : why)
-    c = c == '_' ? '-' : c;
-  throw UsageError ("--" + why);
-}
-
 /** All that was given, but where and how the run works. */
 std::string
 settingsOf (const CLI::App& app)
@@ -100,13 +88,7 @@ declareOptions (CLI::App& app, Options& options)
     options.shard_given = app.count ("--shard") > 0;
     options.settings = settingsOf (app);
     checkInputs (options);
-    checkParameters (options.frame);
-    checkParameters (options.segmentation);
-    checkParameters (options.energy);
-    checkParameters (options.solver);
-    checkParameters (options.multiframe);
-    if (options.rigid)
-      options.segmentation.method = SegmentationMethod::Single;
+    checkSettings (options);
   });
 }
 

@@ -5,7 +5,6 @@
 #include "common/method_options.h"
 #include "common/shard.h"
 #include <pcl_msf/lens_distortion.h>
-#include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/pinhole_camera.h>
 
 #include <algorithm>
@@ -27,14 +26,12 @@ enum class Output {
 };
 
 /** \brief Everything that the command line says. */
-struct Options : MethodSettings {
+struct Options : WindowSettings {
   std::vector<std::string> color; ///< two files or more, or none
   std::vector<std::string> depth; ///< two files or more, or none with clouds
   std::vector<std::string> cloud; ///< two files or more, or none with images
   std::string sequence;           ///< a recording's folder in place of files
-  int window{0};                  ///< frames solved jointly; 0 = all files, or 4
   int reference{0};               ///< place in the window
-  bool rigid{false};              ///< the whole scene is one body
   bool track{false};              ///< frame by frame, the reference is kept
   std::optional<PinholeCamera> camera;
   std::optional<LensDistortion> distortion; ///< that images are freed from
@@ -55,7 +52,6 @@ struct Options : MethodSettings {
   bool merge{false};    ///< of the shards in `output`
   std::string settings; ///< what of the command line results depend on, as one line
   bool quiet{false};
-  MultiframeParameters multiframe;
 
   /** \brief Is this run a part of one? */
   bool

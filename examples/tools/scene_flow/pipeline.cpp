@@ -3,8 +3,8 @@
 #include "pipeline.h"
 
 #include "common/interruption.h"
-#include "common/stop_watch.h"
 #include "common/progress_line.h"
+#include "common/stop_watch.h"
 #include <pcl_msf/multiframe_estimator.h>
 #include <pcl_msf/oversegmentation.h>
 #include <pcl_msf/rgbd_frame.h>
@@ -59,14 +59,6 @@ Outcome::lastTarget() const
 {
   const int last = static_cast<int> (result.frames.size()) - 1;
   return result.reference == last ? last - 1 : last;
-}
-
-void
-limitThreads (const Options& options)
-{
-  if (options.solver.threads > 0)
-    cv::setNumThreads (
-        std::min (static_cast<int> (options.solver.threads), cv::getNumberOfCPUs()));
 }
 
 Outcome

@@ -38,10 +38,6 @@ struct Outcome {
   }
 };
 
-/** \brief Threads of libraries, as the options want them. */
-void
-limitThreads (const Options& options);
-
 /** \brief From files to the result of the window that begins at a frame.
  * \throws IoError, InvalidInput, UsageError, Interrupted */
 Outcome

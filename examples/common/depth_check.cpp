@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "depth_check.h"
+#include "common/depth_check.h"
 
 #include "common/command_line.h"
 #include "core/base/number_text.h"

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+// A recording played as a camera would deliver it, into the tracker.
+#include "common/input_files.h"
+#include "common/interruption.h"
+#include "common/output_folder.h"
+#include "common/recordings.h"
+#include "common/tool_main.h"
+#include "io/base/output_file.h"
+#include "stream/frame_player.h"
+#include "stream/statistics.h"
+#include "stream/stream_tracker.h"
+#include <pcl_msf/io/float_files.h>
+#include <pcl_msf/io/pose_files.h>
+
+#include <cstdio>
+#include <memory>
+#include <regex>
+#include <vector>
+
+namespace {
+
+using namespace pcl_msf;
+using namespace pcl_msf::tool;
+
+constexpr const char* kProgram = "pcl_msf_stream";
+constexpr int kLostFrames = 3; // exit status; everything else was written
+
+void
+warn (const std::string& text)
+{
+  complain (kProgram, "warning: " + text);
+}
+
+void
+print (const std::string& line)
+{
+  std::printf ("%s\n", line.c_str());
+  std::fflush (stdout); // whoever reads a pipe wants it now
+}
+
+/** The folder of results; does nothing when none is wanted. */
+class StreamOutput {
+public:
+  explicit StreamOutput (const StreamOptions& options) : flow_ (options.flow)
+  {
+    if (options.output.empty())
+      return;
+    requireOutside ("--output", options.output, options.source);
+    InputFiles files;
+    files.add (options.source, options.output);
+    folder_ = std::make_unique<OutputFolder> (options.output, kProgram);
+    folder_->check (files, [] (const std::string& name) {
+      static const std::regex names (
+          "flow_[0-9]+_[0-9]+\\.flo|trajectory\\.txt|report\\.json");
+      return std::regex_match (name, names);
+    });
+  }
+  void
+  add (const StreamResult& result, double seconds, const SceneFlow& flow)
+  {
+    poses_.push_back ({seconds, result.camera});
+    if (folder_ && flow_ && !result.first)
+      io::writeFlow (path ("flow_" + std::to_string (result.reference) + "_" +
+                           std::to_string (result.index) + ".flo"),
+                     flow.flow);
+  }
+  void
+  finish (const std::string& report)
+  {
+    if (!folder_)
+      return;
+    io::writeTrajectory (path ("trajectory.txt"), poses_);
+    io::writeBytes (path ("report.json"), report.data(), report.size());
+    folder_->finish();
+  }
+
+private:
+  std::string
+  path (const std::string& name) const
+  {
+    return folder_->stage() + "/" + name;
+  }
+
+  bool flow_;
+  std::unique_ptr<OutputFolder> folder_;
+  std::vector<io::TimedPose> poses_;
+};
+
+/** Until the recording ends or a signal comes. */
+void
+playInto (StreamOutput& output,
+          StreamStatistics& statistics,
+          const io::RgbdSequence& sequence,
+          const StreamOptions& options)
+{
+  FrameReader reader (sequence, options, warn);
+  StreamTracker tracker (options);
+  FramePlayer::Queue queue (options.queue);
+  FramePlayer player (sequence, options, reader, queue);
+  while (const auto frame = queue.pop()) {
+    if (interrupted())
+      break;
+    const StreamResult result = tracker.take (*frame);
+    if (result.cancelled)
+      break;
+    statistics.setDropped (queue.dropped() + player.skipped());
+    statistics.add (result);
+    if (!result.problem.empty()) {
+      warn ("frame " + std::to_string (result.index) + ": lost: " + result.problem);
+      continue;
+    }
+    output.add (result, frame->seconds, tracker.sceneFlow());
+    if (!options.quiet)
+      print (statistics.line (result));
+  }
+  queue.close();
+  player.requireFrames();
+}
+
+int
+run (const StreamOptions& options)
+{
+  const auto sequence = openFrames (options.source, options.reading);
+  if (sequence->frames() < 2)
+    throw UsageError ("'" + options.source + "': holds one frame; two are needed");
+  limitThreads (options);
+  StreamOutput output (options);
+  StreamStatistics statistics;
+  playInto (output, statistics, *sequence, options);
+  if (statistics.tracked() == 0)
+    throwIfInterrupted();
+  output.finish (statistics.json (options.source, interrupted()));
+  if (!options.quiet)
+    print (statistics.summary() +
+           (options.output.empty() ? "" : "; written to " + options.output));
+  if (interrupted())
+    return interruptedStatus();
+  return statistics.lost() > 0 ? kLostFrames : 0;
+}
+
+} // namespace
+
+int
+main (int argc, char** argv)
+{
+  return toolMain<StreamOptions> (
+      {kProgram, kStreamSummary, declareStreamOptions, run}, argc, argv);
+}

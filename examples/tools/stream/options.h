@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "common/method_options.h"
+#include <pcl_msf/io/datasets.h>
+
+#include <optional>
+#include <string>
+
+namespace pcl_msf::tool {
+
+/** \brief Everything that the command line of pcl_msf_stream says. */
+struct StreamOptions : WindowSettings {
+  StreamOptions() { window = 4; }
+
+  std::string source; ///< a recording's folder or its rgb.txt
+  io::DatasetOptions reading;
+  std::optional<double> rate; ///< frames a second; none = the recording's own times
+  bool every_frame{false};    ///< as fast as possible, none dropped
+  int queue{1};               ///< frames that may wait
+  std::string output;         ///< folder; empty = nothing is written
+  bool flow{false};           ///< written, too
+  bool quiet{false};
+};
+
+constexpr const char* kStreamSummary =
+    "Scene flow of a recording that is played as a camera would deliver it.\n\n"
+    "  pcl_msf_stream SOURCE [--output DIR] [--flow]\n"
+    "  pcl_msf_stream SOURCE --as-fast-as-possible [--output DIR]\n\n"
+    "SOURCE is a recording (color_K.png, depth_K.png and camera.txt), a folder of\n"
+    "organized .pcd files, or one of the data sets' layouts (TUM RGB-D, ...), whose "
+    "rgb.txt\n"
+    "will do. Frames that come while others are solved are dropped, and counted.\n"
+    "DIR gets trajectory.txt (TUM format, without lost frames), report.json and, with\n"
+    "--flow, flow_A_B.flo. Ctrl-C ends the stream; what was computed is written.\n"
+    "Exit status: 0 = all frames that were not dropped were tracked, 3 = some were "
+    "lost\n"
+    "(stderr says why), 128 + its number after a signal, else an error.";
+
+/** \brief Adds the options to a command line, which checks them when it is read; it
+ * throws UsageError then. */
+void
+declareStreamOptions (CLI::App& app, StreamOptions& options);
+
+} // namespace pcl_msf::tool

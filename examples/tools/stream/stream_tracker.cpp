@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "stream/stream_tracker.h"
+
+#include "common/interruption.h"
+#include <pcl_msf/errors.h>
+
+namespace pcl_msf::tool {
+
+namespace {
+
+constexpr double kDegrees = 57.29577951308232; // per radian
+
+TrackerParameters
+trackerParameters (const StreamOptions& options)
+{
+  TrackerParameters parameters;
+  parameters.window = options.window;
+  return parameters;
+}
+
+SolverParameters
+interruptible (SolverParameters solver)
+{
+  solver.progress = [] (const Progress&) { return !interrupted(); };
+  return solver;
+}
+
+std::string
+problemOf (const Report& report)
+{
+  if (report.converged)
+    return {};
+  return std::string ("not converged (") + toString (report.stop_reason) + ")" +
+         (report.message.empty() ? "" : " ") + report.message;
+}
+
+} // namespace
+
+StreamTracker::StreamTracker (const StreamOptions& options)
+: tracker_ (trackerParameters (options),
+            options.segmentation,
+            options.energy,
+            interruptible (options.solver),
+            options.multiframe)
+{}
+
+StreamResult
+StreamTracker::take (const StreamFrame& frame)
+{
+  StreamResult result;
+  result.index = frame.index;
+  result.problem = frame.problem;
+  if (result.problem.empty())
+    track (frame, result);
+  const std::chrono::duration<double> latency = StreamClock::now() - frame.arrival;
+  result.latency = latency.count();
+  return result;
+}
+
+void
+StreamTracker::track (const StreamFrame& frame, StreamResult& result)
+{
+  try {
+    tracker_.add (frame.frame);
+  }
+  catch (const InvalidInput& e) {
+    result.problem = e.what();
+    return;
+  }
+  indices_[tracker_.frameIndex (tracker_.frames() - 1)] = frame.index;
+  indices_.erase (indices_.begin(), indices_.lower_bound (tracker_.firstFrame()));
+  result.reference = indices_.begin()->second;
+  result.first = tracker_.frames() == 1;
+  if (result.first)
+    return;
+  const SceneFlow& flow = tracker_.sceneFlow();
+  result.cancelled = flow.report.stop_reason == StopReason::Cancelled;
+  result.problem = problemOf (flow.report);
+  result.groups = flow.bodies;
+  const auto& motion = flow.dominant_motion.parameters;
+  result.degrees = kDegrees * Eigen::Vector3d (motion[0], motion[1], motion[2]).norm();
+  result.metres = Eigen::Vector3d (motion[3], motion[4], motion[5]).norm();
+  result.camera = tracker_.cameraPose();
+}
+
+} // namespace pcl_msf::tool

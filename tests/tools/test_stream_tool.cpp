@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <gtest/gtest.h>
+
+#include "stream/statistics.h"
+#include "support/run_tool.h"
+#include "support/standing_room.h"
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+#include <pcl_msf/io/float_files.h>
+#include <pcl_msf/io/folders.h>
+#include <pcl_msf/io/images.h>
+#include <pcl_msf/io/text_files.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <filesystem>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+// pcl_msf_stream, run as a user runs it.
+
+namespace {
+
+using namespace pcl_msf;
+using namespace pcl_msf::testing;
+using ::testing::HasSubstr;
+
+const std::string kTool = PCL_MSF_TOOLS "/pcl_msf_stream";
+constexpr double kDepthScale = 5000.0;
+
+/** A line of a trajectory: seconds and a pose. */
+struct Line {
+  double seconds;
+  RigidPose pose;
+};
+
+class StreamTool : public ::testing::Test {
+protected:
+  const test::AnalyticScene scene_ = test::standingRoom();
+
+  /** A camera that moves through a room; after so many `places` it is back. */
+  void
+  writeRecording (int frames, int places = 5) const
+  {
+    writeImages (frames, places, "room/color_", "room/depth_");
+    io::writeCamera (folder_ ("room/camera.txt"), camera());
+  }
+  /** The same with TUM's lists. \param times of the frames, seconds */
+  void
+  writeTumRecording (const std::vector<double>& times) const
+  {
+    const int frames = static_cast<int> (times.size());
+    io::makeFolder (folder_ ("tum/rgb"));
+    io::makeFolder (folder_ ("tum/depth"));
+    writeImages (frames, frames, "tum/rgb/", "tum/depth/");
+    io::writeCamera (folder_ ("tum/camera.txt"), camera());
+    std::ostringstream color, depth;
+    for (int k = 0; k < frames; ++k) {
+      color << times[k] << " rgb/" << k << ".png\n";
+      depth << times[k] << " depth/" << k << ".png\n";
+    }
+    writeFile (folder_ ("tum/rgb.txt"), color.str());
+    writeFile (folder_ ("tum/depth.txt"), depth.str());
+  }
+  void
+  cover (int frame) const
+  {
+    io::writeDepth (folder_ ("room/depth_" + std::to_string (frame) + ".png"),
+                    cv::Mat::zeros (scene_.height, scene_.width, CV_32FC1),
+                    kDepthScale);
+  }
+  ToolRun
+  run (const std::string& arguments) const
+  {
+    return runTool (folder_, kTool + " " + arguments);
+  }
+  std::vector<Line>
+  trajectory () const
+  {
+    std::vector<Line> lines;
+    std::istringstream text (readFile (folder_ ("out/trajectory.txt")));
+    for (std::string line; std::getline (text, line);) {
+      double t = 0, x = 0, y = 0, z = 0, a = 0, b = 0, c = 0, w = 0;
+      std::istringstream numbers (line);
+      if (numbers >> t >> x >> y >> z >> a >> b >> c >> w)
+        lines.push_back ({t,
+                          RigidPose::fromMatrix (
+                              Eigen::Quaterniond (w, a, b, c).matrix(), {x, y, z})});
+    }
+    return lines;
+  }
+  nlohmann::json
+  report () const
+  {
+    return nlohmann::json::parse (readFile (folder_ ("out/report.json")));
+  }
+  double
+  distance (int frame, const RigidPose& pose) const
+  {
+    return test::distanceToTruth (scene_, frame, pose);
+  }
+
+  TemporaryFolder folder_;
+
+private:
+  io::CameraFile
+  camera () const
+  {
+    return {scene_.camera, scene_.width, scene_.height, kDepthScale};
+  }
+  void
+  writeImages (int frames,
+               int places,
+               const std::string& color,
+               const std::string& depth) const
+  {
+    io::makeFolder (std::filesystem::path (folder_ (color)).parent_path().string());
+    const std::vector<test::View> views = test::renderWindow (scene_, places);
+    for (int k = 0; k < frames; ++k) {
+      const test::View& view = views[k % places];
+      cv::Mat gray;
+      view.color.convertTo (gray, CV_8U, 255.0);
+      const std::string file = std::to_string (k) + ".png";
+      io::writeImage (folder_ (color + file), gray);
+      io::writeDepth (folder_ (depth + file), view.depth, kDepthScale);
+    }
+  }
+};
+
+TEST_F (StreamTool, FollowsTheCamera)
+{
+  writeRecording (5);
+  const ToolRun done = run (
+      folder_ ("room") + " --as-fast-as-possible --flow --output " + folder_ ("out"));
+  ASSERT_EQ (done.status, 0) << done.err;
+  const std::vector<Line> lines = trajectory();
+  ASSERT_EQ (lines.size(), 5U);
+  for (int k = 0; k < 5; ++k) {
+    EXPECT_EQ (lines[k].seconds, k);
+    EXPECT_LT (distance (k, lines[k].pose), 0.004 * (1 + k)) << k;
+  }
+  EXPECT_EQ (io::readFlow (folder_ ("out/flow_0_4.flo")).cols, scene_.width);
+  const auto counts = report();
+  EXPECT_EQ (counts["frames"], 5);
+  EXPECT_EQ (counts["tracked"], 5);
+  EXPECT_EQ (counts["dropped"], 0);
+  EXPECT_EQ (counts["interrupted"], false);
+  EXPECT_GT (counts["latency_ms"]["median"], 0.0);
+  EXPECT_GE (counts["latency_ms"]["percentile_99"], counts["latency_ms"]["median"]);
+  for (const char* words : {"frame 4: ", " Hz, latency ", "motion groups", "5 tracked"})
+    EXPECT_THAT (done.out, HasSubstr (words));
+}
+
+TEST_F (StreamTool, CountsWhatItDrops)
+{
+  constexpr int frames = 40;
+  writeRecording (frames, 2);
+  const ToolRun done = run (folder_ ("room") +
+                            " --rate 2000 --rigid --quiet --output " + folder_ ("out"));
+  ASSERT_EQ (done.out + done.err, "");
+  const auto counts = report();
+  EXPECT_EQ (counts["frames"], frames);
+  EXPECT_GT (counts["dropped"], 0);
+  const std::vector<Line> lines = trajectory();
+  EXPECT_EQ (counts["tracked"], lines.size());
+  EXPECT_EQ (counts["tracked"].get<int>() + counts["dropped"].get<int>(), frames);
+  ASSERT_GE (lines.size(), 2U);
+  EXPECT_EQ (lines.front().seconds, 0);
+  EXPECT_EQ (lines.back().seconds, frames - 1) << "the newest is not dropped";
+}
+
+TEST_F (StreamTool, PlaysListsByTheirTimes)
+{
+  writeTumRecording ({100.0, 100.2, 100.4});
+  for (const char* source : {"tum", "tum/rgb.txt"}) {
+    const auto begin = std::chrono::steady_clock::now();
+    const ToolRun done =
+        run (folder_ (source) + " --quiet --output " + folder_ ("out"));
+    ASSERT_EQ (done.status, 0) << done.err;
+    EXPECT_GE (std::chrono::steady_clock::now() - begin,
+               std::chrono::milliseconds (400));
+    const std::vector<Line> lines = trajectory();
+    ASSERT_GE (lines.size(), 2U);
+    EXPECT_NEAR (lines.front().seconds, 100.0, 1e-6);
+    EXPECT_NEAR (lines.back().seconds, 100.4, 1e-6);
+  }
+}
+
+TEST_F (StreamTool, SaysWhichFramesAreLostAndGoesOn)
+{
+  writeRecording (5);
+  cover (2);
+  writeFile (folder_ ("room/depth_3.png"), "damaged");
+  const ToolRun done =
+      run (folder_ ("room") + " --as-fast-as-possible --output " + folder_ ("out"));
+  EXPECT_EQ (done.status, 3);
+  EXPECT_EQ (done.errorLines(), 2) << done.err;
+  EXPECT_THAT (done.err, HasSubstr ("frame 2: lost"));
+  EXPECT_THAT (done.err, HasSubstr ("frame 3: lost"));
+  EXPECT_THAT (done.err, HasSubstr ("depth_3.png"));
+  EXPECT_EQ (report()["lost"], 2);
+  const std::vector<Line> lines = trajectory();
+  ASSERT_EQ (lines.size(), 3U);
+  EXPECT_EQ (lines.back().seconds, 4);
+  EXPECT_LT (distance (4, lines.back().pose), 0.02);
+}
+
+class StreamToolSignals : public StreamTool,
+                          public ::testing::WithParamInterface<int> {};
+INSTANTIATE_TEST_SUITE_P (All, StreamToolSignals, ::testing::Values (SIGINT, SIGTERM));
+
+TEST_P (StreamToolSignals, LeaveWhatWasComputed)
+{
+  writeTumRecording ({100.0, 100.05, 100.1, 4000.0});
+  const std::string source = folder_ ("tum");
+  const std::string out = folder_ ("out");
+  const std::string printed = folder_ ("printed");
+  const pid_t tool = fork();
+  if (tool == 0) {
+    if (std::freopen (printed.c_str(), "w", stdout) != nullptr)
+      execl (kTool.c_str(),
+             kTool.c_str(),
+             source.c_str(),
+             "--output",
+             out.c_str(),
+             nullptr);
+    _exit (127);
+  }
+  while (readFile (printed).find ("frame 2: ") == std::string::npos) {
+    ASSERT_EQ (waitpid (tool, nullptr, WNOHANG), 0) << "it has ended";
+    std::this_thread::sleep_for (std::chrono::milliseconds (10));
+  }
+  kill (tool, GetParam());
+  int status = 0;
+  waitpid (tool, &status, 0);
+  ASSERT_TRUE (WIFEXITED (status));
+  EXPECT_EQ (WEXITSTATUS (status), 128 + GetParam());
+  const std::vector<Line> lines = trajectory();
+  ASSERT_GE (lines.size(), 2U);
+  EXPECT_NEAR (lines.back().seconds, 100.1, 1e-6);
+  EXPECT_EQ (report()["interrupted"], true);
+  EXPECT_EQ (report()["frames"], 3);
+  EXPECT_EQ (report()["tracked"], lines.size());
+}
+
+TEST_F (StreamTool, RefusesInOneLine)
+{
+  writeRecording (2);
+  const auto refused = [&] (const std::string& arguments, const std::string& words) {
+    const ToolRun done = run (arguments + " --output " + folder_ ("out"));
+    EXPECT_EQ (done.status, 1) << arguments;
+    EXPECT_EQ (done.errorLines(), 1) << done.err;
+    EXPECT_THAT (done.err, HasSubstr (words));
+  };
+  const std::string room = folder_ ("room");
+  refused (folder_ ("nowhere"), "nowhere");
+  refused ("", "SOURCE");
+  refused (room + " --rate 0", "--rate");
+  refused (room + " --rate 5 --as-fast-as-possible", "--rate");
+  refused (room + " --queue 0", "--queue");
+  refused (room + " --window 17", "--window");
+  refused (room + " --min-depth 50", "--min-depth");
+  cover (0);
+  refused (room, "frame 0");
+  std::filesystem::remove (folder_ ("room/color_1.png"));
+  std::filesystem::remove (folder_ ("room/depth_1.png"));
+  refused (room, "two are needed");
+  EXPECT_FALSE (std::filesystem::exists (folder_ ("out/trajectory.txt")));
+}
+
+TEST_F (StreamTool, OutputIsNeverTheRecording)
+{
+  writeRecording (2);
+  writeTumRecording ({100.0, 100.1});
+  for (const char* source : {"room", "tum", "tum/rgb.txt"})
+    for (const char* output : {"room", "tum", "tum/rgb"}) {
+      const ToolRun done =
+          run (folder_ (source) + " --quiet --output " + folder_ (output));
+      const bool other = std::string (source).front() != std::string (output).front();
+      EXPECT_EQ (done.status, other ? 0 : 1) << source << output << done.err;
+      EXPECT_EQ (done.errorLines(), other ? 0 : 1) << done.err;
+      EXPECT_THAT (done.err, HasSubstr (other ? "" : "give another folder"));
+    }
+}
+
+TEST (StreamStatistics, PercentileIsTheNearestRank)
+{
+  const std::vector<double> values{4.0, 1.0, 3.0, 2.0};
+  EXPECT_EQ (tool::percentile (values, 0.5), 2.0);
+  EXPECT_EQ (tool::percentile (values, 0.99), 4.0);
+  EXPECT_EQ (tool::percentile (values, 0.01), 1.0);
+  EXPECT_EQ (tool::percentile ({}, 0.5), 0.0);
+}
+
+} // namespace
