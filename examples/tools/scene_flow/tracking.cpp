@@ -3,8 +3,8 @@
 #include "tracking.h"
 
 #include "common/interruption.h"
-#include "common/stop_watch.h"
 #include "common/progress_line.h"
+#include "common/stop_watch.h"
 #include <pcl_msf/errors.h>
 
 #include <string>

@@ -51,7 +51,7 @@ private:
   const int segments_;
   std::vector<std::vector<int>> neighbors_;
   std::vector<std::vector<double>> strengths_; ///< of the links to them
-  int largest_{0};                   ///< body
+  int largest_{0};                             ///< body
   std::vector<char> seen_;           ///< per segment: mostly visible with its body
   std::vector<MotionState> motions_; ///< per asked pair
   std::vector<std::unique_ptr<ClaimMap>> claims_; ///< likewise, of motions_

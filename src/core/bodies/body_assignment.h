@@ -24,9 +24,9 @@ struct AssignmentRules {
  *
  * A segment tries its neighbours' bodies and the largest ones. It takes the one with
  * the lowest mean truncated cost per residual plus `separation` times the share of its
- * links, by their strength, that lead to other bodies. All decide at once, so that the outcome does not
- * depend on the order. Bodies without segments disappear. A place that most of a
- * segment's points would take from a larger body costs up to a conflict more
+ * links, by their strength, that lead to other bodies. All decide at once, so that the
+ * outcome does not depend on the order. Bodies without segments disappear. A place that
+ * most of a segment's points would take from a larger body costs up to a conflict more
  * (ClaimMap). In a window only the pairs from the reference are asked: the points of
  * the others are where the present motion put them. \return how many changed */
 int

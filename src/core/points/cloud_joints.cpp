@@ -23,8 +23,7 @@ covarianceAt (const CloudPart& part, const Eigen::Vector3d& at)
   information.diagonal().head<3>().array() += turn;
   information.diagonal().tail<3>().array() += shift;
   const Matrix6 covariance =
-      Eigen::LDLT<Matrix6> (information)
-          .solve (Matrix6::Identity());
+      Eigen::LDLT<Matrix6> (information).solve (Matrix6::Identity());
   const Eigen::Matrix3d r = part.target_from_source.rotation();
   const auto& p = part.target_from_source.parameters;
   const Eigen::Matrix3d left = leftJacobian ({p[0], p[1], p[2]});

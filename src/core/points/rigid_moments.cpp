@@ -80,8 +80,7 @@ RigidMoments::solve (const RigidPose& start, Matrix6* information) const
     const Vector6 g = d.transpose() * (h_ * z - v_);
     Matrix6 damped = a;
     damped.diagonal().array() += 1e-9 * a.trace() + 1e-15;
-    const Vector6 x =
-        -Eigen::LDLT<Matrix6> (damped).solve (g);
+    const Vector6 x = -Eigen::LDLT<Matrix6> (damped).solve (g);
     const Eigen::Matrix3d turn = rotationFromVector (x.head<3>());
     r = turn * r;
     t = turn * t + x.tail<3>();

@@ -32,8 +32,8 @@ struct NoiseModel {
  *
  * Structure of arrays in float, in raster order within a segment; the kernels run over
  * ranges of it, in groups that may end among the next segment's points: kPadding zeros
- * follow the last point in the arrays of float. Scales are one over the standard deviation of a residual; 0 switches a
- * point's residual off (no intensity, no normal).
+ * follow the last point in the arrays of float. Scales are one over the standard
+ * deviation of a residual; 0 switches a point's residual off (no intensity, no normal).
  */
 struct SegmentPixels {
   static constexpr int kPadding = 15;
