@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/body_tuning.h"
 #include "core/data/pair_terms.h"
 #include "core/motion/motion_state.h"
 
@@ -9,30 +10,20 @@
 
 namespace pcl_msf {
 
-/** \brief How segments choose among bodies. */
-struct AssignmentRules {
-  double separation{0.25}; ///< mean cost per residual that leaving all neighbours costs
-  double prior{25.0};      ///< natural logarithm of the odds that a segment belongs to
-                           ///< the largest body: what leaving it costs all of its
-                           ///< independent residuals together ...
-  double most_prior{0.5};  ///< ... and at the most the mean of them
-  int rounds{3};
-};
-
 /** \brief Lets segments change to another body's motion where their points do not
  * object: what finds the way home for segments that were lost, hidden or too small.
  *
  * A segment tries its neighbours' bodies and the largest ones. It takes the one with
  * the lowest mean truncated cost per residual plus `separation` times the share of its
- * links, by their strength, that lead to other bodies. All decide at once, so that the outcome does not
- * depend on the order. Bodies without segments disappear. A place that most of a
- * segment's points would take from a larger body costs up to a conflict more
+ * links, by their strength, that lead to other bodies. All decide at once, so that the
+ * outcome does not depend on the order. Bodies without segments disappear. A place that
+ * most of a segment's points would take from a larger body costs up to a conflict more
  * (ClaimMap). In a window only the pairs from the reference are asked: the points of
  * the others are where the present motion put them. \return how many changed */
 int
 reassignBodies (const std::vector<PairTerms>& terms,
                 const std::vector<SegmentLink>& links,
-                const AssignmentRules& rules,
+                const AssignmentTuning& tuning,
                 int threads,
                 WindowState& state);
 

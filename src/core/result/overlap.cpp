@@ -11,9 +11,8 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kPatch = 9;            // pixels, side
-constexpr int kEnough = 60;          // of its 81 pixels
-constexpr double kSignificant = 3.0; // standard deviations of the noise
+constexpr int kPatch = 9;   // pixels, side
+constexpr int kEnough = 60; // of its 81 pixels
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 bool
@@ -75,13 +74,13 @@ struct PatchSums {
 
 /** NaN when too little is seen, or stands out of the noise in neither frame. */
 double
-correlation (const PatchSums& sums, double noise)
+correlation (const PatchSums& sums, double least_deviation)
 {
   if (sums.n < kEnough)
     return kNone;
   const double before = sums.moment (sums.xx, sums.x, sums.x);
   const double after = sums.moment (sums.yy, sums.y, sums.y);
-  const double least = kSignificant * noise * (kSignificant * noise);
+  const double least = least_deviation * least_deviation;
   if (!(std::max (before, after) > least))
     return kNone;
   // Where one is flat, nothing of the other is found.
@@ -120,6 +119,7 @@ Likeness
 compareTexture (const RgbdFrame& reference,
                 const RgbdFrame& current,
                 double intensity_noise,
+                double significant,
                 const SceneFlow& flow)
 {
   const cv::Mat& before = reference.levels()[0].intensity;
@@ -134,7 +134,8 @@ compareTexture (const RgbdFrame& reference,
         for (int u = left; u < left + kPatch; ++u)
           if (const float other = found (after, flow, u, v); !std::isnan (other))
             sums.add (before.at<float> (v, u), other);
-      if (const double c = correlation (sums, intensity_noise); !std::isnan (c))
+      if (const double c = correlation (sums, significant * intensity_noise);
+          !std::isnan (c))
         values.push_back (c);
     }
   if (values.empty())

@@ -6,6 +6,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "core/base/tuning/segment_tuning.h"
 #include "core/frame/brightness_change.h"
 #include <pcl_msf/rgbd_frame.h>
 
@@ -32,8 +33,8 @@ struct NoiseModel {
  *
  * Structure of arrays in float, in raster order within a segment; the kernels run over
  * ranges of it, in groups that may end among the next segment's points: kPadding zeros
- * follow the last point in the arrays of float. Scales are one over the standard deviation of a residual; 0 switches a
- * point's residual off (no intensity, no normal).
+ * follow the last point in the arrays of float. Scales are one over the standard
+ * deviation of a residual; 0 switches a point's residual off (no intensity, no normal).
  */
 struct SegmentPixels {
   static constexpr int kPadding = 15;
@@ -46,6 +47,7 @@ struct SegmentPixels {
   std::vector<float> brightness_scale;
   std::vector<float> icp_scale;
   std::vector<float> depth_tolerance;    ///< of the z-test, 1 / metres
+  float tolerance_sigmas{1.0f};          ///< standard deviations of the noise in it
   std::vector<Eigen::Vector3d> centroid; ///< metres; of the level's points
   int brightness_count{0};               ///< points with intensity
   int icp_count{0};                      ///< points with a normal
@@ -72,9 +74,10 @@ struct PointOptions {
                                    ///< makes on a slanted surface
   BrightnessChange change;         ///< applied to the reference's intensity
   int max_per_segment{0};          ///< 0 = all; else evenly spaced samples; more when
-                                   ///< so few segments would have less than 2048 in all
+                                   ///< so few segments would have too few in all
   int threads{1};
   int level{0};
+  PixelTuning tuning{};
 };
 
 /** \brief Groups a level's points. \param labels of the level's size, -1 = none */

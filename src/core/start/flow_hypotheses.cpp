@@ -17,12 +17,7 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kMinSamples = 6;
-constexpr int kMaxBodies = 6;
-constexpr int kVoters = 4;             // samples per segment in the search for bodies
-constexpr double kVoteLimit = 3.0;     // pixels
-constexpr double kSmallestBody = 0.02; // share of all voters
-constexpr int kLeastFlowSide = 16;     // pixels: two patches
+constexpr int kLeastFlowSide = 16; // pixels: two patches
 
 /** Samples of all segments; those of segment k are [begin[k], begin[k + 1]). */
 struct SampleTable {
@@ -63,12 +58,12 @@ lift (const CoarseFlow& flow,
 
 /** Every segment's vote: a few of its samples. */
 std::vector<FlowSample>
-drawVoters (const SampleTable& table)
+drawVoters (const SampleTable& table, int each)
 {
   std::vector<FlowSample> voters;
   for (std::size_t k = 0; k + 1 < table.begin.size(); ++k) {
     const int n = table.begin[k + 1] - table.begin[k];
-    const int take = std::min (n, kVoters);
+    const int take = std::min (n, each);
     for (int i = 0; i < take; ++i)
       voters.push_back (
           table.samples[table.begin[k] + static_cast<int> ((i + 0.5) * n / take)]);
@@ -80,16 +75,14 @@ RigidPose
 bestSupported (const std::vector<FlowSample>& voters,
                const std::vector<RigidPose>& candidates,
                const RigidFitOptions& options,
+               double limit,
                int threads)
 {
   std::vector<double> errors (candidates.size());
   const int n = static_cast<int> (candidates.size());
   parallelFor (threads, n, 8, [&] (int c) {
-    errors[c] = meanTruncatedError (voters.data(),
-                                    static_cast<int> (voters.size()),
-                                    candidates[c],
-                                    options,
-                                    kVoteLimit);
+    errors[c] = meanTruncatedError (
+        voters.data(), static_cast<int> (voters.size()), candidates[c], options, limit);
   });
   const auto best = std::min_element (errors.begin(), errors.end());
   return candidates[best - errors.begin()];
@@ -98,13 +91,14 @@ bestSupported (const std::vector<FlowSample>& voters,
 void
 dropExplained (const RigidPose& pose,
                const RigidFitOptions& options,
+               double limit,
                std::vector<FlowSample>& voters)
 {
   const int count = static_cast<int> (voters.size());
   const std::vector<float> errors = sampleErrors (voters.data(), count, pose, options);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < voters.size(); ++i)
-    if (!(errors[i] < 0.7 * kVoteLimit))
+    if (!(errors[i] < limit))
       voters[kept++] = voters[i];
   voters.resize (kept);
 }
@@ -115,19 +109,21 @@ std::vector<RigidPose>
 findBodies (const SampleTable& table,
             const std::vector<RigidPose>& candidates,
             const RigidFitOptions& options,
+            const FlowTuning& tuning,
             int threads)
 {
-  std::vector<FlowSample> voters = drawVoters (table);
+  std::vector<FlowSample> voters = drawVoters (table, tuning.voters);
   const std::size_t all = voters.size();
   std::vector<RigidPose> bodies;
-  while (static_cast<int> (bodies.size()) < kMaxBodies && !candidates.empty() &&
-         voters.size() > kSmallestBody * all) {
-    RigidPose pose = bestSupported (voters, candidates, options, threads);
+  while (static_cast<int> (bodies.size()) < tuning.max_bodies && !candidates.empty() &&
+         voters.size() > tuning.smallest_body * all) {
+    RigidPose pose =
+        bestSupported (voters, candidates, options, tuning.vote_limit, threads);
     pose =
         fitRigidMotion (voters.data(), static_cast<int> (voters.size()), pose, options);
     const std::size_t before = voters.size();
-    dropExplained (pose, options, voters);
-    if (before - voters.size() < kSmallestBody * all)
+    dropExplained (pose, options, tuning.explained * tuning.vote_limit, voters);
+    if (before - voters.size() < tuning.smallest_body * all)
       break;
     bodies.push_back (pose);
   }
@@ -247,11 +243,14 @@ hypothesesFromFlow (const CoarseFlow& flow,
                     int level,
                     const NoiseModel& noise,
                     const RigidPose& start,
+                    const StartTuning& tuning,
                     int threads)
 {
   const SampleTable table = lift (flow, current, pixels, wanted, level);
-  const RigidFitOptions options{
-      current.camera(), 2.0 * noise.inverse_depth, 2.0 * noise.relative_depth, 0.5, 6};
+  const RigidFitOptions options{current.camera(),
+                                tuning.flow.noise * noise.inverse_depth,
+                                tuning.flow.noise * noise.relative_depth,
+                                tuning.fit};
   FlowHypotheses result;
   matchIntensities (flow, current, pixels, level, result);
   const int segments = pixels.segments();
@@ -259,7 +258,7 @@ hypothesesFromFlow (const CoarseFlow& flow,
   result.fitted.assign (segments, 0);
   parallelFor (threads, segments, 8, [&] (int k) {
     const int n = table.begin[k + 1] - table.begin[k];
-    if (n < kMinSamples)
+    if (n < tuning.flow.min_samples)
       return;
     result.of_segment[k] =
         fitRigidMotion (table.samples.data() + table.begin[k], n, start, options);
@@ -269,7 +268,7 @@ hypothesesFromFlow (const CoarseFlow& flow,
   for (int k = 0; k < segments; k += 2)
     if (result.fitted[k])
       candidates.push_back (result.of_segment[k]);
-  result.bodies = findBodies (table, candidates, options, threads);
+  result.bodies = findBodies (table, candidates, options, tuning.flow, threads);
   return result;
 }
 

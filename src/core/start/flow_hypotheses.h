@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "core/base/tuning/start_tuning.h"
 #include "core/segments/segment_pixels.h"
 #include <pcl_msf/rgbd_frame.h>
 #include <pcl_msf/rigid_pose.h>
@@ -54,6 +55,7 @@ hypothesesFromFlow (const CoarseFlow& flow,
                     int level,
                     const NoiseModel& noise,
                     const RigidPose& start,
+                    const StartTuning& tuning,
                     int threads);
 
 } // namespace pcl_msf
