@@ -3,7 +3,9 @@
 #include "options.h"
 
 #include "common/command_line.h"
+#include "common/tuning_options.h"
 #include "core/base/number_text.h"
+#include "core/base/tuning/tuning.h"
 #include "evaluate_option_table.h"
 #include "method.h"
 #include "score.h"
@@ -121,6 +123,7 @@ void
 declareOptions (CLI::App& app, EvaluateOptions& options)
 {
   addEvaluateOptions (app, options);
+  addTuningOptions (app);
   app.footer (footer);
   app.final_callback ([&options] { check (options); });
 }
@@ -159,6 +162,8 @@ EvaluateOptions::settings() const
           " methods=";
   for (std::size_t i = 0; i < methods.size(); ++i)
     text += (i == 0 ? "" : ",") + methods[i];
+  for (const auto& [name, value] : changedTuning())
+    text += " " + name + "=" + value;
   return text;
 }
 
