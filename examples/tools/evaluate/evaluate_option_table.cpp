@@ -117,7 +117,7 @@ addRunOptions (CLI::App& app, EvaluateOptions& o)
         o.methods = splitAtCommas (text);
         return !o.methods.empty();
       },
-      "all");
+      o.methods.front());
   addFlag (app,
            "--ablation",
            "add our method with the l1 and l2 norms (the paper's section 4.1)",

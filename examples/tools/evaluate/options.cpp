@@ -47,7 +47,8 @@ takeDataset (const std::vector<std::string>& words, EvaluateOptions& options)
 void
 expandMethods (EvaluateOptions& options)
 {
-  if (options.methods.empty()) {
+  if (options.methods == std::vector<std::string>{kAllMethods}) {
+    options.methods.clear();
     for (const auto& [name, help] : methodHelp())
       if (name.find (':') == std::string::npos)
         options.methods.push_back (name);

@@ -18,6 +18,10 @@ enum class Pairs {
   FromFirst ///< frame 0 and each later one
 };
 
+/** \brief In place of the methods' names: all that there are, or with an ablation only
+ * ours. */
+constexpr const char* kAllMethods = "all";
+
 /** \brief Everything that the command line of pcl_msf_evaluate says. */
 struct EvaluateOptions {
   std::vector<std::string> words; ///< without a name: the data set and its path
@@ -25,7 +29,7 @@ struct EvaluateOptions {
   std::string path;
   io::DatasetOptions reading;
   GeneratedOptions generated;
-  std::vector<std::string> methods;
+  std::vector<std::string> methods{kAllMethods};
   Pairs pairs{Pairs::Adjacent};
   int step{1};  ///< every so many frames
   int limit{0}; ///< pairs of a sequence at the most; 0 = all

@@ -115,7 +115,7 @@ addInputOptions (CLI::App& app, RenderOptions& o)
              "last frame of trajectories and of the warp, 0 = --frame",
              o.window)
       ->check (atLeast (0));
-  addTexts (app, "--kind", "KIND", kindNames(), o.kind_words)->default_str ("sheet");
+  addTexts (app, "--kind", "KIND", kindNames(), o.kind_words)->default_str (kUsualKind);
   addText (app, "--output", "DIR", "folder for KIND.png and so on", o.output);
   addReadingOptions (app, o.reading);
 }

@@ -31,8 +31,8 @@ check (RenderOptions& o)
   std::string why;
   for (const std::string& word : o.kind_words)
     takeKind (word, o);
-  if (o.kinds.empty() && o.animation == Animation::None)
-    o.sheet = true;
+  if (o.kind_words.empty() && o.animation == Animation::None)
+    takeKind (kUsualKind, o);
   if (o.gif)
     throw UsageError ("--gif: no longer made here; the pictures of --animation can be "
                       "joined: ffmpeg -i DIR/warp/warp_%04d.png warp.gif");

@@ -20,6 +20,9 @@ enum class ViewPreset { Sensor, Orbit, Top, User };
 
 enum class Animation { None, Orbit, Warp };
 
+/** \brief What is drawn when neither --kind nor --animation is given. */
+constexpr const char* kUsualKind = "sheet";
+
 /** \brief Everything that the command line of pcl_msf_render says. */
 struct RenderOptions {
   std::string input;            ///< a result folder or a folder with frames

@@ -28,7 +28,6 @@ measuredDepth (const cv::Mat& depth)
       if (std::isfinite (z) && z > 0.0F)
         measured.push_back (z);
     }
-  std::sort (measured.begin(), measured.end());
   return measured;
 }
 
@@ -73,10 +72,13 @@ checkDepth (const cv::Mat& depth,
             const std::string& name,
             const std::optional<double>& scale)
 {
-  const std::vector<float> measured = measuredDepth (depth);
+  std::vector<float> measured = measuredDepth (depth);
   if (measured.empty())
     throw UsageError (name + ": depth: no pixel has one; give another image");
-  const double median = measured[measured.size() / 2];
+  const auto middle =
+      measured.begin() + static_cast<std::ptrdiff_t> (measured.size() / 2);
+  std::nth_element (measured.begin(), middle, measured.end());
+  const double median = *middle;
   const auto kept = std::count_if (measured.begin(), measured.end(), [&] (float z) {
     return z >= std::max (limits.min_depth, kNearest) && z <= limits.max_depth;
   });
@@ -86,8 +88,9 @@ checkDepth (const cv::Mat& depth,
   const bool much = kept == 0 || (dropped >= kMuchDropped && areDefaults (limits));
   if (!much && !unlikely)
     return {};
-  std::string text = name + ": depth is " + metresText (measured.front()) + " to " +
-                     metresText (measured.back()) + " m";
+  const auto [least, most] = std::minmax_element (measured.begin(), measured.end());
+  std::string text =
+      name + ": depth is " + metresText (*least) + " to " + metresText (*most) + " m";
   if (scale)
     text += " with --depth-scale " + generalText (*scale);
   if (much && (kept > 0 || !unlikely))

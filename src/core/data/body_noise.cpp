@@ -26,7 +26,8 @@ addResiduals (
     const DataTerm& data, const RigidPose& pose, int segment, int step, Residuals& out)
 {
   const SegmentPixels& p = data.pixels();
-  forEachSeen (data, pose, segment, step, [&] (int i, const PointResiduals& r) {
+  const PointRange all{p.begin[segment], p.begin[segment + 1], step};
+  forEachSeen (data, pose, all, [&] (int i, const PointResiduals& r) {
     if (p.brightness_scale[i] > 0.0f)
       out.brightness.push_back (std::abs (r.brightness));
     if (p.icp_scale[i] > 0.0f)

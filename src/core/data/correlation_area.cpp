@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/data/correlation_area.h"
 
+#include "core/base/parallel_for.h"
 #include "core/data/point_residuals.h"
 
 #include <algorithm>
@@ -54,12 +55,17 @@ public:
             kBodies)
   {}
 
+  /** \brief Adds all points at a state's poses, rows of tiles in parallel. */
   void
-  add (int body, int point, const PointResiduals& residuals);
+  add (const MotionState& state, int threads);
   void
   collect (Ratios& brightness, Ratios& icp) const;
 
 private:
+  void
+  addRow (const MotionState& state, int row);
+  void
+  add (int body, int point, const PointResiduals& residuals);
   Tile*
   tileOf (int pixel, int body);
 
@@ -83,6 +89,36 @@ TileSums::tileOf (int pixel, int body)
       return tile;
     }
   return nullptr;
+}
+
+void
+TileSums::add (const MotionState& state, int threads)
+{
+  const int rows = (image_.height + side_ - 1) / side_;
+  parallelFor (threads, rows, 1, [&] (int row) { addRow (state, row); });
+}
+
+/** Adds what lies in a row of tiles; a segment's points are in raster order. */
+void
+TileSums::addRow (const MotionState& state, int row)
+{
+  const SegmentPixels& p = data_.pixels();
+  const int first = row * side_ * image_.width;
+  const int last = first + side_ * image_.width;
+  for (int k = 0; k < p.segments(); ++k) {
+    const auto begin = p.pixel.begin() + p.begin[k];
+    const auto end = p.pixel.begin() + p.begin[k + 1];
+    if (begin == end || *begin >= last || *(end - 1) < first)
+      continue;
+    const PointRange range{
+        static_cast<int> (std::lower_bound (begin, end, first) - p.pixel.begin()),
+        static_cast<int> (std::lower_bound (begin, end, last) - p.pixel.begin())};
+    const int body = state.body_of[k];
+    forEachSeen (data_,
+                 state.poseOf (k),
+                 range,
+                 [&] (int point, const PointResiduals& r) { add (body, point, r); });
+  }
 }
 
 void
@@ -140,22 +176,14 @@ measureCorrelationAreas (const std::vector<PairTerms>& terms,
                          const WindowState& state,
                          int level,
                          const CorrelationAreas& before,
-                         const CorrelationTuning& tuning)
+                         const CorrelationTuning& tuning,
+                         int threads)
 {
   Ratios brightness;
   Ratios icp;
   for (const PairTerms& pair : fromReference (terms)) {
     TileSums sums (*pair.all, std::max (tuning.least_tile, tuning.tile >> level));
-    const int segments = pair.all->pixels().segments();
-    for (int k = 0; k < segments; ++k) {
-      const int body = state.body_of[k];
-      forEachSeen (
-          *pair.all,
-          state.poses[pair.pair][body],
-          k,
-          1,
-          [&] (int point, const PointResiduals& r) { sums.add (body, point, r); });
-    }
+    sums.add (state.ofPair (pair.pair), threads);
     sums.collect (brightness, icp);
   }
   const double pixels = 1 << (2 * level); // of level 0 in one of the level

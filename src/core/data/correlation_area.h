@@ -31,6 +31,7 @@ measureCorrelationAreas (const std::vector<PairTerms>& terms,
                          const WindowState& state,
                          int level,
                          const CorrelationAreas& before,
-                         const CorrelationTuning& tuning);
+                         const CorrelationTuning& tuning,
+                         int threads);
 
 } // namespace pcl_msf

@@ -25,26 +25,6 @@
       run<float, Mode::Renew> (points, image, motion, rules, state, sums);             \
     }                                                                                  \
     target static void                                                                 \
-    linearizeKept (const Points& points,                                               \
-                   const Image& image,                                                 \
-                   const Motion& motion,                                               \
-                   const Rules& rules,                                                 \
-                   const Correspondences& state,                                       \
-                   Sums& sums)                                                         \
-    {                                                                                  \
-      run<float, Mode::Keep> (points, image, motion, rules, state, sums);              \
-    }                                                                                  \
-    target static void                                                                 \
-    cost (const Points& points,                                                        \
-          const Image& image,                                                          \
-          const Motion& motion,                                                        \
-          const Rules& rules,                                                          \
-          const Correspondences& state,                                                \
-          Sums& sums)                                                                  \
-    {                                                                                  \
-      run<float, Mode::Cost> (points, image, motion, rules, state, sums);              \
-    }                                                                                  \
-    target static void                                                                 \
     probe (const Points& points,                                                       \
            const Image& image,                                                         \
            const Motion& motion,                                                       \
@@ -57,7 +37,7 @@
     static Kernel                                                                      \
     named (const char* name)                                                           \
     {                                                                                  \
-      return {name, linearize, linearizeKept, cost, probe};                            \
+      return {name, linearize, probe};                                                 \
     }                                                                                  \
   };
 

@@ -78,7 +78,7 @@ struct Sums {
   double hidden; ///< weight of the residuals of points occluded or out of view
 };
 
-/** \brief What every function of a Kernel but probe () takes. */
+/** \brief What linearizing functions take. */
 using Sweep = void (const Points& points,
                     const Image& image,
                     const Motion& motion,
@@ -92,10 +92,6 @@ struct Kernel {
   const char* name; ///< of the instruction set
   /** \brief Renews the correspondences and linearizes: adds to sums. */
   Sweep* linearize;
-  /** \brief Linearizes at kept correspondences. */
-  Sweep* linearizeKept;
-  /** \brief The costs at kept correspondences: adds to both costs. */
-  Sweep* cost;
   /** \brief Truncated costs with fresh correspondences and visibility, for comparing
    * poses far from each other; keeps nothing. */
   void (*probe) (const Points& points,
@@ -115,7 +111,8 @@ usableKernels ();
 const Kernel&
 chosenKernel ();
 
-/** \brief As linearizeKept, in double precision: for checking the above. */
+/** \brief Linearizes at the correspondences of the last time, in double precision: for
+ * checking the above. */
 Sweep linearizeKeptInDouble;
 
 } // namespace kernel

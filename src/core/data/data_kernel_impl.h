@@ -185,7 +185,7 @@ clear (LaneSums<S>& sums)
   const auto zero = [] (auto& values) {
     std::fill (std::begin (values), std::end (values), S (0));
   };
-  if (mode == Mode::Renew || mode == Mode::Keep) {
+  if (mode != Mode::Probe) {
     for (auto& values : sums.a)
       zero (values);
     for (auto& values : sums.b)
@@ -204,7 +204,7 @@ finish (const LaneSums<S>& lanes, const Rules& rules, Sums& sums)
   sums.icp_cost += total (lanes.icp) * rules.icp_weight;
   sums.hidden += total (lanes.hidden_brightness) * rules.brightness_weight +
                  total (lanes.hidden_icp) * rules.icp_weight;
-  if (mode == Mode::Renew || mode == Mode::Keep) {
+  if (mode != Mode::Probe) {
     for (int i = 0; i < 21; ++i)
       sums.a[i] += total (lanes.a[i]);
     for (int i = 0; i < 6; ++i)
@@ -275,15 +275,15 @@ runBlock (const Points& p,
   locate (n, image, k);
   fetch (n, image, k);
   compareIntensity (p, n, image, k);
-  if (mode == Mode::Renew || mode == Mode::Probe)
+  if (mode != Mode::Keep)
     correspond (p, n, image, k, offset, bits);
   if (mode == Mode::Renew)
     keep (n, offset, bits, state);
-  if (mode == Mode::Keep || mode == Mode::Cost)
+  if (mode == Mode::Keep)
     recall (n, state, offset, bits);
   planeDistance (p, n, offset, bits, rules, k);
   addCosts<S, mode> (p, n, rules, k, sums);
-  if (mode == Mode::Renew || mode == Mode::Keep) {
+  if (mode != Mode::Probe) {
     differentiate (p, n, image, motion, rules, k);
     addNormalEquations (n, k, sums);
   }

@@ -18,7 +18,7 @@ namespace kernel {
 
 constexpr int kBlock = 64; // points worked on at a time: stays in the first cache
 
-enum class Mode { Renew, Keep, Cost, Probe };
+enum class Mode { Renew, Keep, Probe };
 
 /** Intermediate values of a block. Loops go over whole groups of lanes: the lanes
  * beyond the block's points hold numbers that nothing counts. */

@@ -181,20 +181,13 @@ DataTerm::evaluate (int k, const RigidPose& pose, Pass pass)
   const int at = pixels_.begin[k];
   const kernel::Correspondences state{plane_offset_.data() + at, active_.data() + at};
   kernel::Sums sums{};
-  if (pass == Pass::Cost)
-    kernel::chosenKernel().cost (points (k), image_, motion, rules_, state, sums);
-  else if (pass == Pass::Linearize)
-    kernel::chosenKernel().linearize (points (k), image_, motion, rules_, state, sums);
-  else if (pass == Pass::LinearizeKeptInDouble)
-    kernel::linearizeKeptInDouble (points (k), image_, motion, rules_, state, sums);
-  else
-    kernel::chosenKernel().linearizeKept (
-        points (k), image_, motion, rules_, state, sums);
+  const auto linearize =
+      renew ? kernel::chosenKernel().linearize : kernel::linearizeKeptInDouble;
+  linearize (points (k), image_, motion, rules_, state, sums);
   SegmentQuadratic& out = quadratics_[k];
   out.brightness_cost = sums.brightness_cost;
   out.icp_cost = sums.icp_cost;
-  if (pass != Pass::Cost)
-    toPoseParameters (sums, pose, rotation, pixels_.centroid[k], out);
+  toPoseParameters (sums, pose, rotation, pixels_.centroid[k], out);
 }
 
 void

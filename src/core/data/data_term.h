@@ -57,9 +57,9 @@ private:
  */
 class DataTerm {
 public:
-  /** The first finds correspondences, the next two keep those of the last time, in
-   * single and double precision. */
-  enum class Pass { Linearize, LinearizeKept, LinearizeKeptInDouble, Cost };
+  /** Both linearize. The first finds correspondences; the second, for checking it,
+   * keeps those of the last time and works in double precision. */
+  enum class Pass { Linearize, LinearizeKeptInDouble };
 
   DataTerm (const SegmentPixels& pixels,
             const Texture& texture,

@@ -19,18 +19,27 @@ struct PointResiduals {
   float icp{0.0f};        ///< distance from the frame's plane
 };
 
-/** \brief Calls f (point, residuals) for each `step`-th point of a segment that a pose
- * takes onto the frame's surface. */
+/** \brief Some of a DataTerm's points. */
+struct PointRange {
+  int begin;
+  int end;
+  int step{1};
+};
+
+/** \brief Calls f (point, residuals) for each point of a range that a pose takes onto
+ * the frame's surface. */
 template <typename F>
 void
-forEachSeen (
-    const DataTerm& data, const RigidPose& pose, int segment, int step, const F& f)
+forEachSeen (const DataTerm& data,
+             const RigidPose& pose,
+             const PointRange& range,
+             const F& f)
 {
   const SegmentPixels& p = data.pixels();
   const kernel::Image image = data.image();
   const Eigen::Matrix3f r = pose.rotation().cast<float>();
   const Eigen::Vector3f t = pose.translation().cast<float>();
-  for (int i = p.begin[segment]; i < p.begin[segment + 1]; i += step) {
+  for (int i = range.begin; i < range.end; i += range.step) {
     const Eigen::Vector3f q = r * Eigen::Vector3f (p.x[i], p.y[i], p.z[i]) + t;
     if (!(q.z() > 1e-3f))
       continue;

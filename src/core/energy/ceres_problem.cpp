@@ -23,9 +23,8 @@ CeresProblem::CeresProblem (Energy& energy, WindowState& state)
 void
 CeresProblem::PrepareForEvaluation (bool evaluate_jacobians, bool)
 {
-  using Pass = DataTerm::Pass;
-  if (!linearized_ || !evaluate_jacobians)
-    energy_.level().sweep (state_, evaluate_jacobians ? Pass::Linearize : Pass::Cost);
+  if (!linearized_)
+    energy_.level().sweep (state_, DataTerm::Pass::Linearize);
   linearized_ = false;
   fill (evaluate_jacobians);
 }

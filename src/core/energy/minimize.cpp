@@ -3,6 +3,7 @@
 #include "core/energy/minimize.h"
 
 #include "core/energy/ceres_problem.h"
+#include "core/energy/sparse_cholesky.h"
 #include <ceres/iteration_callback.h>
 #include <ceres/solver.h>
 
@@ -46,12 +47,13 @@ ceresOptions (const SolverParameters& solver, const SolveMonitor& monitor)
   ceres::Solver::Options options;
   options.minimizer_type = ceres::TRUST_REGION;
   options.trust_region_strategy_type = ceres::LEVENBERG_MARQUARDT;
-  options.linear_solver_type = solver.linear_solver == LinearSolver::Cgnr
-                                   ? ceres::CGNR
-                                   : ceres::SPARSE_NORMAL_CHOLESKY;
+  if (solver.linear_solver == LinearSolver::Cgnr)
+    options.linear_solver_type = ceres::CGNR;
+  else
+    useSparseCholesky (options);
   options.preconditioner_type = ceres::JACOBI;
-  options.eta = 1e-2;
-  options.use_nonmonotonic_steps = false;
+  options.eta = 0.1;
+  options.use_nonmonotonic_steps = true; // points appear and hide
   options.max_num_iterations = solver.max_iterations;
   options.function_tolerance = solver.function_tolerance;
   options.parameter_tolerance = solver.parameter_tolerance;

@@ -12,6 +12,7 @@ namespace detail {
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+constexpr float kWidestView = 2.0f; // x or y by z: 127 degrees from side to side
 
 Eigen::Vector3f
 pointAt (const cv::Mat& image, std::size_t index)
@@ -68,6 +69,30 @@ fillPoint (const CloudFlow& found, std::size_t from, std::size_t to, SceneFlow& 
     flow.segments[found.part[from]].visible_points += seen ? 1 : 0;
 }
 
+/** Could a camera in the origin have seen all of the points? */
+bool
+isCameraView (const cv::Mat& points)
+{
+  for (std::size_t i = 0; i < points.total(); ++i) {
+    const Eigen::Vector3f p = pointAt (points, i);
+    if (p.allFinite() && !(p.head<2>().cwiseAbs().maxCoeff() < kWidestView * p.z()))
+      return false;
+  }
+  return true;
+}
+
+/** Adds what helps when a filter has made a list of a camera's cloud. */
+void
+hintAtLostGrid (const cv::Mat& source, const cv::Mat& target, Report& report)
+{
+  const bool lost = source.rows == 1 || target.rows == 1;
+  if (report.stop_reason == StopReason::DifferentPlaces && lost &&
+      isCameraView (source) && isCameraView (target))
+    report.message += "; if a camera took them, keep the clouds organized, which tells "
+                      "more than nearest neighbours: setKeepOrganized (true) of the "
+                      "filter, no removeNaNFromPointCloud or VoxelGrid";
+}
+
 } // namespace
 
 NeighborRegistration
@@ -104,6 +129,7 @@ registerByNeighbors (const cv::Mat& source,
   flow.bodies = static_cast<int> (found.parts.size());
   flow.dominant_body = 0;
   flow.dominant_motion = found.parts.front().target_from_source;
+  hintAtLostGrid (source, target, found.report);
   flow.report = found.report;
   result.flow.frames[0].report = found.report;
   return result;

@@ -2,10 +2,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/points/point_clouds.h"
 
+#include "core/base/number_text.h"
 #include "core/surface/thinning.h"
 #include <pcl_msf/errors.h>
 
 #include <algorithm>
+#include <limits>
 #include <string>
 #include <tuple>
 
@@ -58,8 +60,23 @@ requireEnough (std::size_t count, const char* name)
 {
   if (count < kFewest)
     throw InvalidInput ("the " + std::string (name) + " has " + std::to_string (count) +
-                        " different finite points on surfaces: give " +
+                        " points that are finite, different and on a surface: give " +
                         std::to_string (kFewest) + " or more");
+}
+
+/** Far from the origin, as in maps of the earth, single precision leaves no shape. */
+void
+requireFineSteps (double farthest, double size)
+{
+  constexpr double kCoarse = 1e-3; // of the size
+  const double step = farthest * std::numeric_limits<float>::epsilon();
+  if (step < kCoarse * size)
+    return;
+  PlainStream text;
+  text << "the source's coordinates reach " << farthest
+       << ", where single precision has steps of " << step << ", and it is only "
+       << size << " large: subtract an offset from both clouds first";
+  throw InvalidInput (text.str());
 }
 
 /** \param points scaled */
@@ -126,6 +143,7 @@ preparePointClouds (const std::vector<Eigen::Vector3f>& source,
   clouds.size = (high - low).norm();
   if (!(clouds.size > 0.0))
     throw InvalidInput ("all points of the source are at one place: give a surface");
+  requireFineSteps (low.cwiseAbs().cwiseMax (high.cwiseAbs()).maxCoeff(), clouds.size);
   const auto scale = [&clouds] (const std::vector<Eigen::Vector3f>& points) {
     std::vector<Eigen::Vector3f> scaled;
     scaled.reserve (points.size());

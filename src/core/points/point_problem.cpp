@@ -4,6 +4,7 @@
 
 #include "core/base/parallel_for.h"
 #include "core/energy/pose_coupling.h"
+#include "core/energy/sparse_cholesky.h"
 #include <ceres/solver.h>
 
 #include <algorithm>
@@ -124,7 +125,7 @@ PointProblem::step (const std::vector<PointPull>& pulls, int iterations)
     step.fill (0.0);
   relaxWeights();
   ceres::Solver::Options options;
-  options.linear_solver_type = ceres::SPARSE_NORMAL_CHOLESKY;
+  useSparseCholesky (options);
   options.max_num_iterations = iterations;
   options.function_tolerance = 1e-3;
   options.gradient_tolerance = 0.0;

@@ -13,6 +13,7 @@ namespace pcl_msf {
 namespace {
 
 constexpr float kMadToSigma = 1.4826f;
+constexpr std::size_t kMostSamples = 20000; // that a median is taken of
 
 /** Where a moved point lands and how it compares with what the frame shows there. */
 struct Landing {
@@ -68,7 +69,8 @@ float
 widening (const std::vector<Landing>& landings, const SegmentPixels& pixels, float most)
 {
   std::vector<float> sizes;
-  for (std::size_t i = 0; i < landings.size(); ++i) {
+  const std::size_t step = 1 + landings.size() / kMostSamples;
+  for (std::size_t i = 0; i < landings.size(); i += step) {
     const float size = std::abs (landings[i].shown - landings[i].expected);
     if (landings[i].shown > 0.0f && size <= most * pixels.depth_tolerance[i])
       sizes.push_back (size / pixels.depth_tolerance[i]);

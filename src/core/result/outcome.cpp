@@ -83,10 +83,27 @@ judgeOverlap (const Overlap& o, const OutcomeTuning& tuning)
   return {};
 }
 
+/** Of shape alone. A wall that fits hides nothing; what stands before the other frame's
+ * surfaces contradicts them. */
+Judgement
+judgeShape (const Overlap& o, int in_front, const OutcomeTuning& tuning)
+{
+  const bool contradicted = o.found < tuning.found * o.landed &&
+                            in_front > tuning.in_front * (o.found + in_front);
+  if (!contradicted && o.found >= tuning.few_found * o.landed)
+    return {};
+  return {StopReason::DifferentPlaces,
+          "the frames show different places: only " + percent (o.found, o.landed) +
+              " of the points that land on the other frame's depth are found there, " +
+              percent (in_front, o.landed) +
+              " would hide what it sees, and no texture tells more; give frames that "
+              "overlap, colour, or a guess"};
+}
+
 Judgement
 judgeTexture (const Likeness& texture, const OutcomeTuning& tuning)
 {
-  if (texture.patches < tuning.patches || texture.median >= tuning.same_place)
+  if (texture.median >= tuning.same_place)
     return {};
   return {StopReason::DifferentPlaces,
           "the frames show different places: the texture found correlates with the "
@@ -121,16 +138,24 @@ judgeMotion (const RgbdFrame& reference,
   if (isDetermined (flow)) {
     const Overlap overlap = measureOverlap (current, flow);
     judgement = judgeOverlap (overlap, tuning);
-    if (judgement.objection == StopReason::NotRun)
-      judgement = judgeTexture (
-          compareTexture (
-              reference, current, intensity_noise, tuning.significant, flow),
-          tuning);
+    if (judgement.objection == StopReason::NotRun) {
+      const Likeness texture = compareTexture (
+          reference, current, intensity_noise, tuning.significant, flow);
+      judgement = texture.patches >= tuning.patches
+                      ? judgeTexture (texture, tuning)
+                      : judgeShape (overlap,
+                                    countInFront (reference, current, tuning, flow),
+                                    tuning);
+    }
     if (judgement.objection == StopReason::NotRun &&
         (isNoise (reference, tuning) || isNoise (current, tuning)))
       judgement = {StopReason::DifferentPlaces,
                    "the frames show different places: the depth of one is noise, in "
                    "which no surface is found"};
+    // A blank frame shows no other one's texture: then its depth must tell nearly all.
+    const bool lost_texture = isBlank (reference, tuning) != isBlank (current, tuning);
+    if (lost_texture && overlap.found < tuning.mostly * overlap.moved)
+      judgement = nothing;
     // The little that seemed determined is not found either.
     if (judgement.objection == StopReason::DifferentPlaces &&
         (overlap.moved < tuning.mostly * overlap.points ||

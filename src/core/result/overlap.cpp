@@ -49,6 +49,24 @@ found (const cv::Mat& intensity, const SceneFlow& flow, int u, int v)
       intensity, static_cast<float> (u) + way[0], static_cast<float> (v) + way[1]);
 }
 
+/** Inverse depth of the frame that is nearest to a point's within a pixel around it, so
+ * that outlines may lie a little beside; 0 where the pixel has none. */
+float
+nearestDepth (const cv::Mat& inverse_depth, int u, int v, float of_point)
+{
+  float nearest = inverse_depth.at<float> (v, u);
+  if (!(nearest > 0.0f))
+    return 0.0f;
+  for (int y = std::max (0, v - 1); y <= std::min (inverse_depth.rows - 1, v + 1); ++y)
+    for (int x = std::max (0, u - 1); x <= std::min (inverse_depth.cols - 1, u + 1);
+         ++x) {
+      const float other = inverse_depth.at<float> (y, x);
+      if (other > 0.0f && std::abs (other - of_point) < std::abs (nearest - of_point))
+        nearest = other;
+    }
+  return nearest;
+}
+
 /** Sums over the pixels of a patch that are seen in both frames. */
 struct PatchSums {
   int n{0};
@@ -113,6 +131,34 @@ measureOverlap (const RgbdFrame& current, const SceneFlow& flow)
       overlap.found += seen == Visible ? 1 : 0;
     }
   return overlap;
+}
+
+int
+countInFront (const RgbdFrame& reference,
+              const RgbdFrame& current,
+              const OutcomeTuning& tuning,
+              const SceneFlow& flow)
+{
+  const cv::Mat& depth = current.levels()[0].inverse_depth;
+  const auto noise = static_cast<float> (
+      tuning.significant *
+      std::hypot (reference.inverseDepthNoise(), current.inverseDepthNoise()));
+  int count = 0;
+  for (int v = 0; v < flow.flow.rows; ++v)
+    for (int u = 0; u < flow.flow.cols; ++u) {
+      const cv::Vec2f& way = flow.flow.at<cv::Vec2f> (v, u);
+      const float z = flow.points.at<cv::Vec3f> (v, u)[2] +
+                      flow.displacement.at<cv::Vec3f> (v, u)[2];
+      const float x = static_cast<float> (u) + way[0];
+      const float y = static_cast<float> (v) + way[1];
+      if (!(z > 0.0f && x >= 0.0f && y >= 0.0f &&
+            x <= static_cast<float> (depth.cols - 1) &&
+            y <= static_cast<float> (depth.rows - 1)))
+        continue;
+      const float seen = nearestDepth (depth, cvRound (x), cvRound (y), 1.0f / z);
+      count += seen > 0.0f && 1.0f / z - seen > noise + tuning.near * seen ? 1 : 0;
+    }
+  return count;
 }
 
 Likeness

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/result_tuning.h"
 #include <pcl_msf/rgbd_frame.h>
 #include <pcl_msf/scene_flow.h>
 
@@ -18,6 +19,15 @@ struct Overlap {
 /** \brief Counts. \param flow with flow and visibility */
 Overlap
 measureOverlap (const RgbdFrame& current, const SceneFlow& flow);
+
+/** \brief Counts the points that would stand before what the other frame measures where
+ * they land: it could not have seen that through them. Points behind it may be hidden.
+ * \param flow with flow, points and displacement */
+int
+countInFront (const RgbdFrame& reference,
+              const RgbdFrame& current,
+              const OutcomeTuning& tuning,
+              const SceneFlow& flow);
 
 /** \brief How alike the texture of visible points is in both frames. */
 struct Likeness {

@@ -115,7 +115,8 @@ Oversegmentation::fromLabels (const cv::Mat& labels, const RgbdFrame& frame)
   result.labels_ = labels.clone();
   result.size_ = makeDense (frame.levels()[0].inverse_depth, result.labels_);
   if (result.size_ == 0)
-    throw InvalidInput ("no segment has a point with depth");
+    throw InvalidInput ("no segment has a point with depth: give labels or indices of "
+                        "points that were measured");
   return result;
 }
 

@@ -44,7 +44,9 @@ SceneFlowEstimator::requireUsable (const RgbdFrame& reference,
                         sizeText ({current.width(), current.height()}) +
                         "; resample one of them");
   if (reference.hasIntensity() != current.hasIntensity())
-    throw InvalidInput ("one frame has colour and the other has none");
+    throw InvalidInput (
+        "one frame has colour and the other has none: give it to both or "
+        "to neither");
   if (segments.size() < 1 || segments.labels().cols != reference.width() ||
       segments.labels().rows != reference.height())
     throw InvalidInput ("the segmentation is not of the reference frame: it is " +

@@ -308,7 +308,8 @@ WindowSolve::measureCorrelation (int level)
                                                 state_,
                                                 level,
                                                 scene_.noise.areas,
-                                                scene_.tuning.data.correlation);
+                                                scene_.tuning.data.correlation,
+                                                scene_.threads);
   level_->reweigh();
 }
 

@@ -130,11 +130,15 @@ findBodies (const SampleTable& table,
   return bodies;
 }
 
-/** Flow between 8-bit images at half their resolution. Where a side is shorter than two
- * of its patches, OpenCV chooses the pyramid by the width alone and reads outside the
- * image: the border is repeated up to there. */
+/** Flow between 8-bit images at half their resolution, of images of some width on
+ * enlarged from that at a quarter: the segments' fits need no more. Where a side is
+ * shorter than two of its patches, OpenCV chooses the pyramid by the width alone and
+ * reads outside the image: the border is repeated up to there. */
 cv::Mat
-matchHalves (const cv::Mat& first, const cv::Mat& second)
+matchHalves (const cv::Mat& first,
+             const cv::Mat& second,
+             int quarter_width,
+             int quarter_height)
 {
   const cv::Size half (std::max (1, first.cols / 2), std::max (1, first.rows / 2));
   const int right = std::max (0, kLeastFlowSide - half.width);
@@ -148,7 +152,8 @@ matchHalves (const cv::Mat& first, const cv::Mat& second)
   }
   cv::Mat flow;
   const auto dis = cv::DISOpticalFlow::create (cv::DISOpticalFlow::PRESET_MEDIUM);
-  dis->setFinestScale (0);
+  const bool large = first.cols >= quarter_width && first.rows >= quarter_height;
+  dis->setFinestScale (large ? 1 : 0);
   dis->calc (from, to, flow);
   return flow (cv::Rect ({0, 0}, half));
 }
@@ -178,16 +183,24 @@ CoarseFlow::at (int x, int y) const
 }
 
 CoarseFlow
-estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current, int threads)
+estimateOpticalFlow (const RgbdFrame& reference,
+                     const RgbdFrame& current,
+                     const FlowTuning& tuning,
+                     int threads)
 {
   CoarseFlow result{{}, 1};
-  withThreads (threads,
-               [&] { result.flow = matchHalves (reference.gray(), current.gray()); });
+  withThreads (threads, [&] {
+    result.flow = matchHalves (
+        reference.gray(), current.gray(), tuning.quarter_width, tuning.quarter_height);
+  });
   return result;
 }
 
 CoarseFlow
-estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current, int threads)
+estimateDepthFlow (const RgbdFrame& reference,
+                   const RgbdFrame& current,
+                   const FlowTuning& tuning,
+                   int threads)
 {
   const int level = std::min<int> ({1,
                                     static_cast<int> (reference.levels().size()) - 1,
@@ -202,7 +215,10 @@ estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current, int thr
   first.convertTo (gray_first, CV_8U, scale);
   second.convertTo (gray_second, CV_8U, scale);
   CoarseFlow result{{}, level + 1};
-  withThreads (threads, [&] { result.flow = matchHalves (gray_first, gray_second); });
+  withThreads (threads, [&] {
+    result.flow = matchHalves (
+        gray_first, gray_second, tuning.quarter_depth_width, tuning.quarter_height);
+  });
   return result;
 }
 

@@ -65,7 +65,8 @@ PairStart::run (const cv::Mat& labels,
   FlowHypotheses flow;
   CoarseFlow optical; // empty without intensity
   if (solver_.flow_proposals && reference_.hasIntensity()) {
-    optical = estimateOpticalFlow (reference_, current_, scene_.threads);
+    optical = estimateOpticalFlow (
+        reference_, current_, scene_.tuning.start.flow, scene_.threads);
     flow = lift (optical);
     scene_.change = fitBrightnessChange (
         flow.pairs_reference, flow.pairs_current, scene_.tuning.frame.brightness);
@@ -94,7 +95,8 @@ PairStart::run (const cv::Mat& labels,
   wanted = unexplained (probes, poses);
   if (solver_.flow_proposals &&
       std::find (wanted.begin(), wanted.end(), 1) != wanted.end())
-    suggest (lift (estimateDepthFlow (reference_, current_, scene_.threads)));
+    suggest (lift (estimateDepthFlow (
+        reference_, current_, scene_.tuning.start.flow, scene_.threads)));
   if (!optical.flow.empty() && lostShare (probes, poses) > scene_.tuning.start.lost) {
     const FarMotions far = findFarMotions (reference_,
                                            current_,

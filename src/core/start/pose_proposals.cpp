@@ -82,9 +82,15 @@ PoseProposals::improve (int segment,
   double best = tuning_.clearly_better * cost (segment, pose);
   bool changed = false;
   const double alone = tuning_.own_way * probes_.totalWeight (segment);
+  std::vector<const RigidPose*> tried; // neighbours often share a motion
   const auto offer = [&] (const RigidPose& candidate, double extra) {
-    if (candidate.parameters == pose.parameters)
+    const auto same = [&] (const RigidPose* other) {
+      return other->parameters == candidate.parameters;
+    };
+    if (same (&pose) || std::any_of (tried.begin(), tried.end(), same))
       return;
+    if (extra == 0.0)
+      tried.push_back (&candidate);
     const double c = cost (segment, candidate) + extra;
     if (c < best) {
       best = c;

@@ -8,6 +8,7 @@
 
 #include "core/base/opencv_threads.h"
 #include "core/base/parallel_for.h"
+#include "support/box_chain.h"
 #include "support/rigid_pair.h"
 #include <dlfcn.h>
 #include <pcl_msf/piecewise_rigid_registration.h>
@@ -202,11 +203,39 @@ TEST (OpenCvThreads, ExceptionsComeThrough)
   EXPECT_TRUE (called);
 }
 
+/** Two boxes without a grid. */
+Cloud::Ptr
+boxes (bool moved)
+{
+  pcl_msf::testing::BoxChain chain;
+  chain.boxes = 2;
+  const auto cloud = pcl::make_shared<Cloud>();
+  for (const auto& p :
+       pcl_msf::testing::drawChain (chain, 1500, moved, moved ? 2 : 1).points) {
+    cloud->emplace_back();
+    cloud->back().getVector3fMap() = p;
+  }
+  return cloud;
+}
+
+cv::Mat
+alignBoxes (unsigned threads)
+{
+  Registration registration;
+  registration.setNumberOfThreads (threads);
+  registration.setInputSource (boxes (false));
+  registration.setInputTarget (boxes (true));
+  Cloud warped;
+  registration.align (warped);
+  EXPECT_TRUE (registration.hasConverged()) << registration.getReport().message;
+  return registration.getSceneFlow().displacement;
+}
+
 /** Aligns with everything that has threads. */
 std::vector<cv::Mat>
 alignAll (unsigned threads)
 {
-  std::vector<cv::Mat> flows;
+  std::vector<cv::Mat> flows{alignBoxes (threads)};
   for (const SegmentationMethod method : {SegmentationMethod::TangentPlane,
                                           SegmentationMethod::Felzenszwalb,
                                           SegmentationMethod::Slic})
@@ -214,6 +243,9 @@ alignAll (unsigned threads)
       Registration registration;
       registration.setNumberOfThreads (threads);
       registration.setSegmentationMethod (method);
+      SolverParameters solver = registration.getSolverParameters();
+      solver.linear_solver = window ? LinearSolver::SparseCholesky : LinearSolver::Cgnr;
+      registration.setSolverParameters (solver);
       registration.setInputSource (RigidPair::reference());
       registration.addInputTarget (RigidPair::current());
       if (window)

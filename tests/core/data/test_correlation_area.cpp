@@ -67,7 +67,7 @@ measured (int depth_side, int bright_side, double strength = 1.0, int level = 0)
   DataTerm data (pixels, texture, makeRules (energy, pixels, {}), 1);
   const WindowState state (MotionState::fromSegments ({RigidPose{}}, 0));
   return measureCorrelationAreas (
-      {{0, &data, &data, 1.0}}, state, level, {7.0, 9.0}, {});
+      {{0, &data, &data, 1.0}}, state, level, {7.0, 9.0}, {}, 2);
 }
 
 TEST (CorrelationArea, WhiteNoiseAsModelledIsOnePixel)
@@ -116,7 +116,7 @@ TEST (CorrelationArea, StaysWhereNothingIsSeen)
   DataTerm data (pixels, texture, makeRules ({}, pixels, {}), 1);
   const WindowState state (MotionState::fromSegments ({RigidPose{}}, 0));
   const CorrelationAreas areas =
-      measureCorrelationAreas ({{0, &data, &data, 1.0}}, state, 0, {7.0, 9.0}, {});
+      measureCorrelationAreas ({{0, &data, &data, 1.0}}, state, 0, {7.0, 9.0}, {}, 1);
   EXPECT_EQ (areas.brightness, 7.0);
   EXPECT_EQ (areas.icp, 9.0);
 }

@@ -79,11 +79,9 @@ protected:
     const kernel::Rules rules = makeRules ({}, pixels_, {});
     const kernel::Correspondences state{offset_.data(), active_.data()};
     std::vector<double> all;
-    for (kernel::Sweep* sweep : {kernel.linearize, kernel.linearizeKept, kernel.cost}) {
-      kernel::Sums sums{};
-      sweep (points (cut), texture_.image(), motion, rules, state, sums);
-      append (sums, all);
-    }
+    kernel::Sums linear{};
+    kernel.linearize (points (cut), texture_.image(), motion, rules, state, linear);
+    append (linear, all);
     kernel::Sums sums{};
     kernel.probe (points (cut), texture_.image(), motion, rules, sums);
     append (sums, all);
@@ -224,10 +222,7 @@ roomQuadratics (int threads, Pass last, std::vector<double>* probes)
 
 TEST (DataTerm, SameBitsForAnyNumberOfThreads)
 {
-  for (const Pass pass : {Pass::Linearize,
-                          Pass::LinearizeKept,
-                          Pass::LinearizeKeptInDouble,
-                          Pass::Cost}) {
+  for (const Pass pass : {Pass::Linearize, Pass::LinearizeKeptInDouble}) {
     std::vector<double> one_probes;
     const auto one = roomQuadratics (1, pass, &one_probes);
     EXPECT_GT (one[20].cost(), 0.0);

@@ -69,7 +69,7 @@ public:
   {
     RigidPose pose;
     pose.parameters[3] = x;
-    data_->sweep (MotionState::fromSegments ({pose}, 0), Pass::Cost);
+    data_->sweep (MotionState::fromSegments ({pose}, 0), Pass::LinearizeKeptInDouble);
     return data_->of (0).cost();
   }
   /** As if something had weighed the points by a factor. */

@@ -15,6 +15,7 @@ using pcl_msf::testing::BoxChain;
 using pcl_msf::testing::ChainCloud;
 using pcl_msf::testing::drawChain;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Registration = PiecewiseRigidRegistration<pcl::PointXYZ>;
@@ -107,6 +108,26 @@ TEST_F (NeighborRegistration, SaysWhatItCannotTake)
   registration.clearSegmentation();
   registration.setCorrespondence (CorrespondenceMethod::Projective);
   EXPECT_THAT (refused(), HasSubstr ("not organized"));
+}
+
+TEST_F (NeighborRegistration, TellsToKeepTheGridOfACamerasClouds)
+{
+  const auto missed = [this] (const Eigen::Vector3f& offset) {
+    for (std::size_t i = 0; i < target.points.size(); ++i) // nothing alike
+      target.points[i] = 0.5f * Eigen::Vector3f::Random() + offset;
+    for (auto& p : source.points)
+      p += offset;
+    registration.setInputSource (cloudOf (source));
+    registration.setInputTarget (cloudOf (target));
+    Cloud warped;
+    ::testing::internal::CaptureStderr();
+    registration.align (warped);
+    ::testing::internal::GetCapturedStderr();
+    EXPECT_EQ (registration.getReport().stop_reason, StopReason::DifferentPlaces);
+    return registration.getReport().message;
+  };
+  EXPECT_THAT (missed ({0.0f, 0.0f, 0.0f}), Not (HasSubstr ("setKeepOrganized")));
+  EXPECT_THAT (missed ({0.0f, 0.0f, 4.0f}), HasSubstr ("setKeepOrganized"));
 }
 
 TEST_F (NeighborRegistration, TheMethodIsKeptAndBadOnesAreRefused)

@@ -139,8 +139,7 @@ TEST (CloudFlowEstimator, TheUnitDoesNotMatter)
       result.push_back (1024.0f * p); // without rounding
     return result;
   };
-  const CloudFlow small =
-      estimate (scaled (source.points), scaled (target.points));
+  const CloudFlow small = estimate (scaled (source.points), scaled (target.points));
   double sum = 0.0;
   for (std::size_t i = 0; i < metres.warped.size(); ++i)
     sum += (metres.warped[i] - small.warped[i] / 1024.0f).norm();
@@ -180,6 +179,10 @@ TEST (CloudFlowEstimator, SaysWhatItCannotTake)
                HasSubstr ("the target has 1"));
   EXPECT_THAT (message (Points (100, Eigen::Vector3f::Ones()), chain.points),
                HasSubstr ("at one place"));
+  Points on_a_map = chain.points;
+  for (auto& p : on_a_map)
+    p += Eigen::Vector3f (5e5f, 4e6f, 0.0f);
+  EXPECT_THAT (message (on_a_map, chain.points), HasSubstr ("subtract an offset"));
 }
 
 TEST (CloudFlowEstimator, CanBeCancelled)

@@ -140,6 +140,25 @@ TEST_F (Outcome, AnotherRoomIsADifferentPlaceThoughItsWallsFit)
   EXPECT_FALSE (flow.report.converged);
 }
 
+/** Without colour what would hide the other frame's surfaces tells. */
+TEST_F (Outcome, WithoutColourPointsBeforeWhatIsSeenTellAnotherPlace)
+{
+  const auto boxes = [this] (std::initializer_list<cv::Rect> places) {
+    cv::Mat depth = scene_.render (false).depth.clone();
+    float z = 0.7f;
+    for (const cv::Rect& place : places)
+      depth (place) = z += 0.1f;
+    return frame ({}, depth);
+  };
+  const RgbdFrame here = boxes ({{5, 10, 40, 40}, {100, 60, 50, 50}});
+  const SceneFlow flow =
+      align (here, boxes ({{60, 5, 40, 40}, {20, 70, 60, 40}, {120, 10, 35, 60}}));
+  EXPECT_GT (visiblePoints (flow), 0.3 * scene_.width * scene_.height);
+  EXPECT_EQ (flow.report.stop_reason, StopReason::DifferentPlaces);
+  EXPECT_THAT (flow.report.message, HasSubstr ("would hide what it sees"));
+  EXPECT_TRUE (align (here, here).report.converged);
+}
+
 /** The room with other texture on the left part of its second picture. */
 TEST_F (Outcome, MostOfTheTextureDecidesWhichPlaceItIs)
 {
@@ -201,6 +220,9 @@ TEST_F (Outcome, WhatStandsBeforeHalfOfTheSceneIsNoObjection)
   const SceneFlow flow = align (reference_, scene_.frame (view));
   EXPECT_TRUE (flow.report.converged) << flow.report.message;
   EXPECT_GT (cv::countNonZero (flow.visibility == static_cast<int> (Occluded)), 1000);
+  const SceneFlow shape =
+      align (frame ({}, scene_.render (false).depth), frame ({}, view.depth));
+  EXPECT_TRUE (shape.report.converged) << shape.report.message;
 }
 
 TEST_F (Outcome, AWindowAndItsMessageNameTheFrame)

@@ -35,7 +35,11 @@ listValues (ResultTuning& tuning, TunedValues& values)
       {"result.outcome.least_contrast", &outcome.least_contrast, 0, 1},
       {"result.outcome.significant", &outcome.significant, 0, 1000},
       {"result.outcome.patches", &outcome.patches, 1, 1e6},
-      {"result.outcome.same_place", &outcome.same_place, -1, 1}};
+      {"result.outcome.same_place", &outcome.same_place, -1, 1},
+      {"result.outcome.found", &outcome.found, 0, 1},
+      {"result.outcome.in_front", &outcome.in_front, 0, 1},
+      {"result.outcome.few_found", &outcome.few_found, 0, 1},
+      {"result.outcome.near", &outcome.near, 0, 1}};
   values.insert (values.end(), own.begin(), own.end());
 }
 

@@ -29,13 +29,17 @@ struct ProposalTuning {
 
 /** \brief Hypotheses from optical flow. */
 struct FlowTuning {
-  double noise{2.0};          ///< factor on the frames' depth noise
-  int min_samples{6};         ///< of a segment that has a fit
-  int max_bodies{6};          ///< that many segments share
-  int voters{4};              ///< samples per segment in the search for bodies
-  double vote_limit{3.0};     ///< pixels: truncated there
-  double explained{0.7};      ///< of the limit: such a voter has its body
-  double smallest_body{0.02}; ///< share of all voters
+  double noise{2.0};            ///< factor on the frames' depth noise
+  int min_samples{6};           ///< of a segment that has a fit
+  int max_bodies{6};            ///< that many segments share
+  int voters{4};                ///< samples per segment in the search for bodies
+  double vote_limit{3.0};       ///< pixels: truncated there
+  double explained{0.7};        ///< of the limit: such a voter has its body
+  double smallest_body{0.02};   ///< share of all voters
+  int quarter_width{640};       ///< pixels: larger images are matched at a quarter of
+                                ///< their size, which is faster
+  int quarter_depth_width{320}; ///< likewise, of images of depth
+  int quarter_height{128};      ///< and of both
 };
 
 /** \brief Matched features; see "Features where flow fails" in DECISIONS.md. */
