@@ -123,6 +123,9 @@ readCommandLine (CLI::App& app, const std::vector<std::string>& words)
     std::fputs (app.help().c_str(), stdout);
     return false;
   }
+  catch (const CLI::Success&) {
+    return false;
+  }
   catch (const CLI::ParseError& error) {
     throw UsageError (refusal (app, error));
   }

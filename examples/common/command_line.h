@@ -160,7 +160,8 @@ void
 beginGroup (CLI::App& app, const std::string& title);
 
 /** \brief Reads "--name value", "--name=value", -h and the arguments without a name.
- * \return false when help was asked for, which is on stdout then \throws UsageError */
+ * \return false when help, or another thing that ends the tool, was asked for, which is
+ * on stdout then \throws UsageError */
 bool
 readCommandLine (CLI::App& app, const std::vector<std::string>& words);
 

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <pcl/io/pcd_io.h>
 
+#include "core/base/number_text.h"
+#include "core/base/tuning/tuning.h"
 #include "io/base/json.h"
 #include "support/expect_io_error.h"
 #include "support/temporary_folder.h"
@@ -123,6 +125,24 @@ TEST (Report, HasItsKeysAndNullForNotFinite)
                            "a \\\"quoted\\\"\\nline",
                            "\"dominant_motion\": ["})
     EXPECT_NE (json.find (part), std::string::npos) << part << "\n" << json;
+}
+
+TEST (Report, TellsTunedValuesThatAreNotTheDefaults)
+{
+  const SceneFlow flow = smallResult();
+  const std::string before = generalText (currentTuning().start.lost, 17);
+  const std::string plain = io::reportJson (flow, {});
+  setTuning ("start.lost", "0.625");
+  const std::string changed = io::reportJson (flow, {});
+  setTuning ("start.lost", before);
+  EXPECT_EQ (io::reportJson (flow, {}), plain);
+  const auto hash = [] (const std::string& json) {
+    return json.substr (json.find ("\"tuning_hash\""), 34);
+  };
+  EXPECT_EQ (hash (plain).size(), 34U);
+  EXPECT_NE (hash (plain), hash (changed));
+  EXPECT_EQ (plain.find ("\"tuning\""), std::string::npos);
+  EXPECT_THAT (changed, ::testing::HasSubstr ("\"start.lost\": \"0.625\""));
 }
 
 TEST (Json, KeepsOrderDigitsAndNotEveryByte)

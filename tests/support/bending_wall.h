@@ -63,7 +63,7 @@ public:
   DataTerm
   data (const MotionState& state, int threads = 1) const
   {
-    DataTerm result (pixels, *texture_, makeRules ({}, pixels), threads);
+    DataTerm result (pixels, *texture_, makeRules ({}, pixels, {}), threads);
     result.sweep (state, DataTerm::Pass::Linearize);
     return result;
   }

@@ -63,7 +63,7 @@ public:
   DataTerm
   data (int threads = 1) const
   {
-    return DataTerm (pixels_, *texture_, makeRules ({}, pixels_), threads);
+    return DataTerm (pixels_, *texture_, makeRules ({}, pixels_, {}), threads);
   }
 
   /** \brief The one pair, as the steps that form bodies see it. */

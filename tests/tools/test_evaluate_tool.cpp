@@ -249,6 +249,8 @@ TEST_F (EvaluateTool, MistakesAreOneLineThatNamesTheRemedy)
   expectError (" generated --step 0", "--step");
   expectError (" generated --jobs 4", "GNU parallel");
   expectError (" generated --speed", "no such option");
+  expectError (" generated --tuning start.luck=1", "no tuned value 'start.luck'");
+  expectError (" generated --tuning start.lost=2", "from 0 to 1");
   expectError (" --merge", "no files");
   writeFile (folder_ ("x.csv"), "a,b\n1,2\n");
   expectError (" --merge " + folder_ ("x.csv"), "x.csv: line 1");
@@ -262,6 +264,7 @@ TEST_F (EvaluateTool, AnotherRunsFileIsNotTouched)
   ASSERT_EQ (run (what).status, 0);
   const std::string before = readFile (csv);
   expectError (what + " --seed 2", "other settings");
+  expectError (what + " --tuning start.lost=0.6", "other settings");
   EXPECT_EQ (readFile (csv), before);
 }
 

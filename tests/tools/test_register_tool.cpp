@@ -52,6 +52,7 @@ TEST (RegisterTool, WritesWhatAUserWants)
   EXPECT_THAT (readFile (folder ("out/joints.json")), HasSubstr ("\"angle_deg\""));
   EXPECT_THAT (readFile (folder ("out/report.json")),
                HasSubstr ("\"converged\": true"));
+  EXPECT_THAT (readFile (folder ("out/report.json")), HasSubstr ("\"tuning_hash\""));
   EXPECT_EQ (filesIn (folder ("out")), 6u); // with the list of them
 }
 
@@ -68,12 +69,26 @@ TEST (RegisterTool, RefusesInOneLine)
         few + " " + few + output, // too few points
         few + " " + folder ("none.ply") + output,
         few + " " + few + " " + few + output, // a word too many
-        few + " " + few + output + " --threads x"}) {
+        few + " " + few + output + " --threads x",
+        few + " " + few + output + " --tuning points.luck=1",
+        few + " " + few + output + " --tuning points.match.isotropy=2",
+        few + " " + few + output + " --tuning points.match.isotropy"}) {
     const ToolRun refused = runTool (folder, kTool + arguments);
     EXPECT_EQ (refused.status, 1) << arguments;
     EXPECT_EQ (refused.errorLines(), 1) << refused.err;
   }
   EXPECT_EQ (runTool (folder, kTool + "--help").status, 0);
+}
+
+TEST (RegisterTool, ListsTunedValuesButNotInItsHelp)
+{
+  const TemporaryFolder folder;
+  const ToolRun list =
+      runTool (folder, kTool + "--tuning points.match.isotropy=0.25 --list-tuning");
+  EXPECT_EQ (list.status, 0) << list.err;
+  EXPECT_THAT (list.out, HasSubstr ("points.match.isotropy 0.25 0 1 real\n"));
+  EXPECT_THAT (runTool (folder, kTool + "--help").out,
+               ::testing::Not (HasSubstr ("tuning")));
 }
 
 } // namespace

@@ -4,7 +4,9 @@
 
 #include "common/camera_effects.h"
 #include "common/command_line.h"
+#include "common/tuning_options.h"
 #include "core/base/number_text.h"
+#include "core/base/tuning/tuning.h"
 #include "evaluate_option_table.h"
 #include "method.h"
 #include "score.h"
@@ -124,6 +126,7 @@ void
 declareOptions (CLI::App& app, EvaluateOptions& options)
 {
   addEvaluateOptions (app, options);
+  addTuningOptions (app);
   app.footer (footer);
   app.final_callback ([&options] { check (options); });
 }
@@ -168,6 +171,8 @@ EvaluateOptions::settings() const
           " methods=";
   for (std::size_t i = 0; i < methods.size(); ++i)
     text += (i == 0 ? "" : ",") + methods[i];
+  for (const auto& [name, value] : changedTuning())
+    text += " " + name + "=" + value;
   return text;
 }
 

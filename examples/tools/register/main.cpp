@@ -9,6 +9,7 @@
 #include "common/output_folder.h"
 #include "common/progress_line.h"
 #include "common/tool_main.h"
+#include "common/tuning_options.h"
 #include <CLI/App.hpp>
 #include <pcl_msf/cloud_flow_estimator.h>
 #include <pcl_msf/errors.h>
@@ -62,6 +63,7 @@ declareOptions (CLI::App& app, RegisterOptions& o)
   addSwitch (
       app, "--merge-bodies", "join what moves as one part", o.solver.merge_bodies);
   addFlag (app, "--quiet", "print errors and warnings only", o.quiet);
+  addTuningOptions (app);
   app.final_callback ([&o] {
     std::string why;
     if (o.solver.isValid (&why))

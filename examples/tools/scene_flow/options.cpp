@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "options.h"
 
+#include "common/tuning_options.h"
 #include "option_table.h"
 #include <CLI/App.hpp>
 
@@ -79,6 +80,7 @@ void
 declareOptions (CLI::App& app, Options& options)
 {
   addSceneFlowOptions (app, options);
+  addTuningOptions (app);
   app.final_callback ([&app, &options] {
     if (options.merge) {
       if (options.output.empty())

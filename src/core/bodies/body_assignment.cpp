@@ -15,15 +15,11 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr double kMostlyHidden = 0.5;
-constexpr int kLargest = 6;          // bodies that every segment tries
-constexpr double kBorderShare = 0.5; // of points that may land on a neighbour's place
-
 class Assignment {
 public:
   Assignment (const std::vector<PairTerms>& terms,
               const std::vector<SegmentLink>& links,
-              const AssignmentRules& rules,
+              const AssignmentTuning& tuning,
               WindowState& state);
 
   int
@@ -46,7 +42,7 @@ private:
   choose (int segment, const std::vector<int>& candidates) const;
 
   const std::vector<PairTerms> asked_;
-  const AssignmentRules& rules_;
+  const AssignmentTuning& tuning_;
   WindowState& state_;
   const int segments_;
   std::vector<std::vector<int>> neighbors_;
@@ -59,10 +55,10 @@ private:
 
 Assignment::Assignment (const std::vector<PairTerms>& terms,
                         const std::vector<SegmentLink>& links,
-                        const AssignmentRules& rules,
+                        const AssignmentTuning& tuning,
                         WindowState& state)
 : asked_ (fromReference (terms))
-, rules_ (rules)
+, tuning_ (tuning)
 , state_ (state)
 , segments_ (static_cast<int> (state.body_of.size()))
 , neighbors_ (neighborLists (links, segments_))
@@ -84,7 +80,7 @@ Assignment::largestBodies() const
   std::iota (order.begin(), order.end(), 0);
   std::stable_sort (
       order.begin(), order.end(), [&] (int a, int b) { return points[a] > points[b]; });
-  order.resize (std::min<std::size_t> (order.size(), kLargest));
+  order.resize (std::min<std::size_t> (order.size(), tuning_.largest));
   return order;
 }
 
@@ -110,9 +106,10 @@ Assignment::takenShare (int segment, int body) const
 {
   double sum = 0.0;
   for (std::size_t i = 0; i < asked_.size(); ++i)
-    sum += std::max (
-        0.0, claims_[i]->takenShare (*asked_[i].sample, segment, body) - kBorderShare);
-  return sum / ((1.0 - kBorderShare) * static_cast<double> (asked_.size()));
+    sum += std::max (0.0,
+                     claims_[i]->takenShare (*asked_[i].sample, segment, body) -
+                         tuning_.border_share);
+  return sum / ((1.0 - tuning_.border_share) * static_cast<double> (asked_.size()));
 }
 
 double
@@ -135,9 +132,9 @@ Assignment::score (int segment, int body, double limit) const
   const double hidden = supported ? 0.0 : p.hidden * sample.unsupportedCost();
   const double independent = p.weight * asked_.front().residual_scale;
   const double own_way =
-      std::min (rules_.most_prior, rules_.prior / std::max (1.0, independent));
+      std::min (tuning_.most_prior, tuning_.prior / std::max (1.0, independent));
   const double sum = p.cost / std::max (p.weight, 1e-12) + hidden +
-                     rules_.separation * share + (body == largest_ ? 0.0 : own_way);
+                     tuning_.separation * share + (body == largest_ ? 0.0 : own_way);
   return sum >= limit ? sum
                       : sum + takenShare (segment, body) * sample.rules().conflict_cost;
 }
@@ -168,7 +165,7 @@ Assignment::lookWhoIsSeen (int threads)
 {
   seen_.assign (segments_, 0);
   parallelFor (threads, segments_, 8, [&] (int k) {
-    seen_[k] = probe (k, state_.body_of[k]).hidden < kMostlyHidden;
+    seen_[k] = probe (k, state_.body_of[k]).hidden < tuning_.mostly_hidden;
   });
 }
 
@@ -182,8 +179,8 @@ Assignment::mapClaims (int threads)
   claims_.resize (pairs);
   const bool many = pairs > 1; // else threads share a pair's segments
   parallelFor (many ? threads : 1, pairs, 1, [&] (int i) {
-    claims_[i] =
-        std::make_unique<ClaimMap> (*asked_[i].all, motions_[i], many ? 1 : threads);
+    claims_[i] = std::make_unique<ClaimMap> (
+        *asked_[i].all, motions_[i], tuning_.claims, many ? 1 : threads);
   });
 }
 
@@ -208,13 +205,13 @@ Assignment::round (int threads)
 int
 reassignBodies (const std::vector<PairTerms>& terms,
                 const std::vector<SegmentLink>& links,
-                const AssignmentRules& rules,
+                const AssignmentTuning& tuning,
                 int threads,
                 WindowState& state)
 {
-  Assignment assignment (terms, links, rules, state);
+  Assignment assignment (terms, links, tuning, state);
   int total = 0;
-  for (int i = 0; i < rules.rounds; ++i) {
+  for (int i = 0; i < tuning.rounds; ++i) {
     const int changes = assignment.round (threads);
     total += changes;
     if (changes == 0)

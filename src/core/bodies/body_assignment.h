@@ -2,22 +2,13 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/body_tuning.h"
 #include "core/data/pair_terms.h"
 #include "core/motion/motion_state.h"
 
 #include <vector>
 
 namespace pcl_msf {
-
-/** \brief How segments choose among bodies. */
-struct AssignmentRules {
-  double separation{0.25}; ///< mean cost per residual that leaving all neighbours costs
-  double prior{25.0};      ///< natural logarithm of the odds that a segment belongs to
-                           ///< the largest body: what leaving it costs all of its
-                           ///< independent residuals together ...
-  double most_prior{0.5};  ///< ... and at the most the mean of them
-  int rounds{3};
-};
 
 /** \brief Lets segments change to another body's motion where their points do not
  * object: what finds the way home for segments that were lost, hidden or too small.
@@ -32,7 +23,7 @@ struct AssignmentRules {
 int
 reassignBodies (const std::vector<PairTerms>& terms,
                 const std::vector<SegmentLink>& links,
-                const AssignmentRules& rules,
+                const AssignmentTuning& tuning,
                 int threads,
                 WindowState& state);
 

@@ -15,7 +15,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kLargest = 6;        // bodies that every other one may join
 constexpr double kRounding = 1e-7; // of sums of single-precision products, relative
 
 /** E (x) = 1/2 x' A x - h' x + const over a pair's six pose parameters. */
@@ -95,7 +94,7 @@ public:
   Merger (const std::vector<PairTerms>& terms,
           int frames,
           const std::vector<SegmentLink>& links,
-          const MergeRules& rules,
+          const MergeTuning& tuning,
           WindowState& state);
 
   void
@@ -131,7 +130,7 @@ private:
 
   const std::vector<PairTerms>& terms_;
   const double strictness_; ///< of the allowances
-  const MergeRules rules_;
+  const MergeTuning tuning_;
   WindowState& state_;
   std::vector<BodyQuadratics> bodies_;
   std::vector<int> joined_; ///< body -> the one that it went into
@@ -141,11 +140,11 @@ private:
 Merger::Merger (const std::vector<PairTerms>& terms,
                 int frames,
                 const std::vector<SegmentLink>& links,
-                const MergeRules& rules,
+                const MergeTuning& tuning,
                 WindowState& state)
 : terms_ (terms)
 , strictness_ (std::sqrt (frames - 1.0))
-, rules_ (rules)
+, tuning_ (tuning)
 , state_ (state)
 , bodies_ (state.bodies())
 , joined_ (state.bodies())
@@ -205,7 +204,7 @@ Merger::consider (int a, int b)
   const double costs = increase (first, second);
   const double allowed =
       strictness_ *
-      (rules_.allowance + rules_.per_point * std::min (first.points, second.points));
+      (tuning_.allowance + tuning_.per_point * std::min (first.points, second.points));
   if (costs < allowed)
     queue_.push ({costs, a, b, first.version, second.version});
 }
@@ -243,7 +242,7 @@ Merger::considerLargest()
     return bodies_[a].points > bodies_[b].points;
   });
   for (std::size_t i = 0; i < order.size(); ++i)
-    for (std::size_t j = 0; j < std::min<std::size_t> (i, kLargest); ++j)
+    for (std::size_t j = 0; j < std::min<std::size_t> (i, tuning_.largest); ++j)
       consider (std::min (order[i], order[j]), std::max (order[i], order[j]));
   return !queue_.empty();
 }
@@ -291,10 +290,10 @@ void
 mergeBodies (const std::vector<PairTerms>& terms,
              int frames,
              const std::vector<SegmentLink>& links,
-             const MergeRules& rules,
+             const MergeTuning& tuning,
              WindowState& state)
 {
-  Merger (terms, frames, links, rules, state).run();
+  Merger (terms, frames, links, tuning, state).run();
 }
 
 } // namespace pcl_msf

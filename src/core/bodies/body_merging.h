@@ -2,19 +2,13 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/body_tuning.h"
 #include "core/data/pair_terms.h"
 #include "core/motion/motion_state.h"
 
 #include <vector>
 
 namespace pcl_msf {
-
-/** \brief How unequal two bodies' motions may be and still count as one. */
-struct MergeRules {
-  double allowance{10.0}; ///< increase allowed per merge, in halved squared deviations
-  double per_point{
-      0.08}; ///< further increase per independent point of the smaller body
-};
 
 /** \brief Joins bodies that move as one (the paper: updates only merge, never split).
  *
@@ -31,7 +25,7 @@ void
 mergeBodies (const std::vector<PairTerms>& terms,
              int frames,
              const std::vector<SegmentLink>& links,
-             const MergeRules& rules,
+             const MergeTuning& tuning,
              WindowState& state);
 
 } // namespace pcl_msf

@@ -13,10 +13,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kCell = 3;               // pixels
-constexpr int kClaimsPerSegment = 128; // about one for four pixels
-constexpr float kLooksAlike = 2.5f;    // standard deviations
-
 /** Carries points of a segment to the current frame. */
 class Landing {
 public:
@@ -46,14 +42,14 @@ public:
 
   /** Whether the surface there looks like the point. */
   bool
-  alike (int i) const
+  alike (int i, float sigmas) const
   {
     const ImagePlace inside{
         std::clamp (at_.u, 0.0f, static_cast<float> (image_.width) - 1.001f),
         std::clamp (at_.v, 0.0f, static_cast<float> (image_.height) - 1.001f)};
     return std::abs (intensityAt (image_, inside) - p_.intensity[i]) *
                p_.brightness_scale[i] <
-           kLooksAlike;
+           sigmas;
   }
 
   const ImagePlace&
@@ -72,11 +68,15 @@ private:
 
 } // namespace
 
-ClaimMap::ClaimMap (const DataTerm& data, const MotionState& state, int threads)
+ClaimMap::ClaimMap (const DataTerm& data,
+                    const MotionState& state,
+                    const ClaimTuning& tuning,
+                    int threads)
 : state_ (state)
 , points_ (state.poses.size(), 0)
-, columns_ (data.image().width / kCell + 1)
-, cells_ (static_cast<std::size_t> (columns_) * (data.image().height / kCell + 1))
+, cell_ (tuning.cell)
+, columns_ (data.image().width / cell_ + 1)
+, cells_ (static_cast<std::size_t> (columns_) * (data.image().height / cell_ + 1))
 {
   const SegmentPixels& p = data.pixels();
   for (int k = 0; k < p.segments(); ++k)
@@ -84,10 +84,10 @@ ClaimMap::ClaimMap (const DataTerm& data, const MotionState& state, int threads)
   std::vector<std::vector<int>> cells (p.segments()); // that each wants
   parallelFor (threads, p.segments(), 8, [&] (int k) {
     Landing landing (data, state.poseOf (k));
-    const int step = std::max (1, p.size (k) / kClaimsPerSegment);
+    const int step = std::max (1, p.size (k) / tuning.per_segment);
     cells[k].reserve (p.size (k) / step + 1);
     for (int i = p.begin[k]; i < p.begin[k + 1]; i += step)
-      if (landing.onSurface (i) && landing.alike (i))
+      if (landing.onSurface (i) && landing.alike (i, tuning.looks_alike))
         cells[k].push_back (cellOf (landing.place()));
   });
   for (int k = 0; k < p.segments(); ++k)
@@ -98,8 +98,8 @@ ClaimMap::ClaimMap (const DataTerm& data, const MotionState& state, int threads)
 int
 ClaimMap::cellOf (const ImagePlace& at) const
 {
-  return (static_cast<int> (at.v + 0.5f) / kCell) * columns_ +
-         static_cast<int> (at.u + 0.5f) / kCell;
+  return (static_cast<int> (at.v + 0.5f) / cell_) * columns_ +
+         static_cast<int> (at.u + 0.5f) / cell_;
 }
 
 bool

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/body_tuning.h"
 #include "core/data/data_term.h"
 #include "core/data/surface_sample.h"
 #include "core/motion/motion_state.h"
@@ -22,7 +23,10 @@ class ClaimMap {
 public:
   /** \param data its points make the claims, at the state's poses: those that lie on
    * the current frame's surface and look like it */
-  ClaimMap (const DataTerm& data, const MotionState& state, int threads = 1);
+  ClaimMap (const DataTerm& data,
+            const MotionState& state,
+            const ClaimTuning& tuning,
+            int threads);
 
   /** \brief Share of a segment's points that would land, with a body's pose, where
    * another segment of another and larger body claims to be. \param sample points of
@@ -43,6 +47,7 @@ private:
 
   const MotionState& state_;
   std::vector<int> points_; ///< per body
+  int cell_;                ///< pixels
   int columns_;
   std::vector<Cell> cells_;
 };

@@ -9,9 +9,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr double kHidden = 0.15; // share of visible points: less says nothing
-constexpr double kSeen = 0.5;    // enough to lead others
-
 /** Per segment, the share of its points that are seen, in the mean over the pairs. */
 std::vector<double>
 visibleShares (const std::vector<PairTerms>& terms)
@@ -40,15 +37,16 @@ struct Leader {
 int
 followNeighbors (const std::vector<PairTerms>& all_terms,
                  const std::vector<SegmentLink>& links,
+                 const HiddenTuning& tuning,
                  WindowState& state)
 {
   const std::vector<PairTerms> terms = fromReference (all_terms);
   const std::vector<double> seen = visibleShares (terms);
   std::vector<std::vector<Leader>> leaders (seen.size());
   for (const SegmentLink& link : links) {
-    if (seen[link.first] < kHidden && seen[link.second] >= kSeen)
+    if (seen[link.first] < tuning.hidden && seen[link.second] >= tuning.seen)
       leaders[link.first].push_back ({link.lever, state.body_of[link.second]});
-    if (seen[link.second] < kHidden && seen[link.first] >= kSeen)
+    if (seen[link.second] < tuning.hidden && seen[link.first] >= tuning.seen)
       leaders[link.second].push_back ({link.lever, state.body_of[link.first]});
   }
   int changes = 0;

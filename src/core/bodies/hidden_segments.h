@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/body_tuning.h"
 #include "core/data/pair_terms.h"
 #include "core/motion/motion_state.h"
 
@@ -17,6 +18,7 @@ namespace pcl_msf {
 int
 followNeighbors (const std::vector<PairTerms>& terms,
                  const std::vector<SegmentLink>& links,
+                 const HiddenTuning& tuning,
                  WindowState& state);
 
 } // namespace pcl_msf

@@ -13,10 +13,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kRigid = 8;               // segments that make a rigid body
-constexpr int kSamples = 4000;          // of a body
-constexpr double kMostBrightness = 3.0; // largest factors on the scales
-constexpr double kMostIcp = 10.0;
 constexpr double kMadToSigma = 1.4826;
 
 /** Sizes of a body's residuals, in standard deviations of the noise model. */
@@ -41,9 +37,9 @@ addResiduals (
 
 /** One over the robust spread, in [1, limit]. */
 float
-sharpness (std::vector<float>& sizes, double limit)
+sharpness (std::vector<float>& sizes, int least, double limit)
 {
-  if (sizes.size() < 100)
+  if (static_cast<int> (sizes.size()) < least)
     return 1.0f;
   std::nth_element (sizes.begin(), sizes.begin() + sizes.size() / 2, sizes.end());
   const double spread = kMadToSigma * sizes[sizes.size() / 2];
@@ -55,6 +51,7 @@ sharpness (std::vector<float>& sizes, double limit)
 void
 sharpenRigidBodies (const std::vector<PairTerms>& terms,
                     const WindowState& state,
+                    const BodyNoiseTuning& tuning,
                     int threads,
                     SegmentPixels& pixels)
 {
@@ -63,7 +60,7 @@ sharpenRigidBodies (const std::vector<PairTerms>& terms,
     segments[state.body_of[k]].push_back (static_cast<int> (k));
   const int bodies = static_cast<int> (segments.size());
   parallelFor (threads, bodies, 1, [&] (int b) {
-    if (static_cast<int> (segments[b].size()) < kRigid)
+    if (static_cast<int> (segments[b].size()) < tuning.rigid)
       return;
     int points = 0;
     for (const int k : segments[b])
@@ -74,10 +71,11 @@ sharpenRigidBodies (const std::vector<PairTerms>& terms,
         addResiduals (*pair.all,
                       state.poses[pair.pair][b],
                       k,
-                      std::max (1, points / kSamples),
+                      std::max (1, points / tuning.samples),
                       residuals);
-    const float brightness = sharpness (residuals.brightness, kMostBrightness);
-    const float icp = sharpness (residuals.icp, kMostIcp);
+    const float brightness =
+        sharpness (residuals.brightness, tuning.least_samples, tuning.most_brightness);
+    const float icp = sharpness (residuals.icp, tuning.least_samples, tuning.most_icp);
     for (const int k : segments[b])
       for (int i = pixels.begin[k]; i < pixels.begin[k + 1]; ++i) {
         pixels.brightness_scale[i] *= brightness;

@@ -18,6 +18,7 @@ namespace pcl_msf {
 void
 sharpenRigidBodies (const std::vector<PairTerms>& terms,
                     const WindowState& state,
+                    const BodyNoiseTuning& tuning,
                     int threads,
                     SegmentPixels& pixels);
 

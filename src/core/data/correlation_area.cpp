@@ -13,9 +13,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kTile = 16;             // pixels of level 0; wider than sensors' windows
-constexpr int kLeastTile = 2;         // pixels of the level
-constexpr int kLeastTiles = 12;       // that a median is taken of
 constexpr int kBodies = 3;            // in one square
 constexpr double kMedianOf1 = 0.4549; // of chi-square with one degree of freedom
 constexpr double kMedianOf2 = 0.6931; // half of that with two, its mean being 1
@@ -179,18 +176,19 @@ measureCorrelationAreas (const std::vector<PairTerms>& terms,
                          const WindowState& state,
                          int level,
                          const CorrelationAreas& before,
+                         const CorrelationTuning& tuning,
                          int threads)
 {
   Ratios brightness;
   Ratios icp;
   for (const PairTerms& pair : fromReference (terms)) {
-    TileSums sums (*pair.all, std::max (kLeastTile, kTile >> level));
+    TileSums sums (*pair.all, std::max (tuning.least_tile, tuning.tile >> level));
     sums.add (state.ofPair (pair.pair), threads);
     sums.collect (brightness, icp);
   }
   const double pixels = 1 << (2 * level); // of level 0 in one of the level
-  const auto area = [pixels] (Ratios& ratios, double median, double otherwise) {
-    if (ratios.size() < kLeastTiles)
+  const auto area = [&] (Ratios& ratios, double median, double otherwise) {
+    if (static_cast<int> (ratios.size()) < tuning.least_tiles)
       return otherwise;
     return std::max (1.0, pixels * weightedMedian (ratios) / median);
   };

@@ -20,7 +20,7 @@ namespace pcl_msf {
  * model's wrong level, too: noise twice as strong as modelled counts as four times the
  * area.
  *
- * Tiles are the parts of one body in squares of 16 pixels of the full resolution. The
+ * Tiles are the parts of one body in squares of some pixels of the full resolution. The
  * median over tiles, weighted by their information, leaves out those that fit badly:
  * bodies that are not rigid, wrong motions.
  * \param terms of the pairs; those from the reference count
@@ -31,6 +31,7 @@ measureCorrelationAreas (const std::vector<PairTerms>& terms,
                          const WindowState& state,
                          int level,
                          const CorrelationAreas& before,
+                         const CorrelationTuning& tuning,
                          int threads);
 
 } // namespace pcl_msf

@@ -10,13 +10,6 @@ namespace pcl_msf {
 
 namespace {
 
-// What residuals that are not compared cost, as misfits of so many deviations. Hidden
-// ones must cost less than a wrong match and more than a right one.
-constexpr double kWrongMatch = 4.0; // also the limit of a probe's residuals
-constexpr double kNoDepth = 3.0;
-constexpr double kOccludedPoint = 2.5;
-constexpr double kOutOfView = 2.0;
-
 /** \param r rotation of the pose */
 kernel::Motion
 kernelMotion (const RigidPose& pose,
@@ -66,7 +59,9 @@ toPoseParameters (const kernel::Sums& sums,
 } // namespace
 
 kernel::Rules
-makeRules (const EnergyParameters& energy, const SegmentPixels& pixels)
+makeRules (const EnergyParameters& energy,
+           const SegmentPixels& pixels,
+           const MissingTuning& tuning)
 {
   constexpr double kNever = 1e15;
   double huber = energy.huber_threshold;
@@ -85,11 +80,11 @@ makeRules (const EnergyParameters& energy, const SegmentPixels& pixels)
     return static_cast<float> (huber >= sigmas ? 0.5 * sigmas * sigmas
                                                : huber * (sigmas - 0.5 * huber));
   };
-  rules.conflict_cost = cost_of (kWrongMatch);
-  rules.occluded_cost = cost_of (kOccludedPoint);
-  rules.outside_cost = cost_of (kOutOfView);
-  rules.unknown_cost = cost_of (kNoDepth);
-  rules.truncation = cost_of (kWrongMatch);
+  rules.conflict_cost = cost_of (tuning.wrong_match);
+  rules.occluded_cost = cost_of (tuning.occluded);
+  rules.outside_cost = cost_of (tuning.out_of_view);
+  rules.unknown_cost = cost_of (tuning.no_depth);
+  rules.truncation = cost_of (tuning.wrong_match);
   const auto weight = [scale] (double term, double area, int count) {
     return static_cast<float> (scale * term / (area * std::max (1, count)));
   };

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/data_tuning.h"
 #include "core/data/data_kernel.h"
 #include "core/motion/motion_state.h"
 #include "core/segments/segment_pixels.h"
@@ -28,7 +29,9 @@ struct SegmentQuadratic {
 
 /** \brief Loss and weights of the data terms, normalized by their residual counts. */
 kernel::Rules
-makeRules (const EnergyParameters& energy, const SegmentPixels& pixels);
+makeRules (const EnergyParameters& energy,
+           const SegmentPixels& pixels,
+           const MissingTuning& tuning);
 
 /** \brief Energy times this = sum of half squared deviations over independent
  * residuals. */

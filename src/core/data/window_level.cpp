@@ -8,33 +8,26 @@
 
 namespace pcl_msf {
 
-namespace {
-
-constexpr int kProbesPerSegment = 64;
-constexpr double kRelativeTolerance =
-    0.01; // of the z-test at level 0; doubles per level
-
-} // namespace
-
 PointOptions
 pointOptions (const WindowScene& scene, int level)
 {
   return {scene.noise,
-          kRelativeTolerance * (1 << level),
+          scene.tuning.data.relative_tolerance * (1 << level),
           scene.change,
           0,
           scene.threads,
-          level};
+          level,
+          scene.tuning.segments.pixels};
 }
 
 SegmentPixels
 probePoints (const FrameLevel& level,
              const cv::Mat& labels,
-             int segments,
+             const WindowScene& scene,
              PointOptions options)
 {
-  options.max_per_segment = kProbesPerSegment;
-  return groupPixels (level, labels, segments, options);
+  options.max_per_segment = scene.tuning.data.probes;
+  return groupPixels (level, labels, scene.segments, options);
 }
 
 WindowLevel::WindowLevel (const WindowScene& scene,
@@ -58,7 +51,10 @@ WindowLevel::WindowLevel (const WindowScene& scene,
     const FramePairs::Pair& pair = scene.pairs[p];
     const auto term = [&] (const SegmentPixels& points) {
       return std::make_unique<DataTerm> (
-          points, *textures_[pair.to], makeRules (energy, points), scene.threads);
+          points,
+          *textures_[pair.to],
+          makeRules (energy, points, scene.tuning.data.missing),
+          scene.threads);
     };
     data_[p] = term (pixels_[pair.from]);
     if (pair.from == scene.pairs.reference())
@@ -80,7 +76,7 @@ WindowLevel::prepareFrame (int f, int level, const cv::Mat& labels, int threads)
   if (!labels.empty())
     pixels_[f] = groupPixels (frame, labels, scene_.segments, options);
   if (reference)
-    probes_ = probePoints (frame, labels, scene_.segments, options);
+    probes_ = probePoints (frame, labels, scene_, options);
   else
     textures_[f] = std::make_unique<Texture> (frame);
 }
@@ -107,7 +103,8 @@ WindowLevel::sharpenRigidBodies (const WindowState& state)
         from.push_back (pair);
     if (from.empty())
       continue;
-    pcl_msf::sharpenRigidBodies (from, state, scene_.threads, pixels_[f]);
+    pcl_msf::sharpenRigidBodies (
+        from, state, scene_.tuning.data.body_noise, scene_.threads, pixels_[f]);
     for (const PairTerms& pair : from)
       data_[pair.pair]->forget();
   }
@@ -122,7 +119,8 @@ WindowLevel::reweigh()
   for (const auto& terms : {&data_, &probe_data_})
     for (const std::unique_ptr<DataTerm>& term : *terms)
       if (term)
-        term->setRules (makeRules (energy_, term->pixels()));
+        term->setRules (
+            makeRules (energy_, term->pixels(), scene_.tuning.data.missing));
 }
 
 void

@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "core/base/tuning/tuning.h"
 #include "core/data/data_term.h"
 #include "core/data/pair_terms.h"
 #include "core/motion/motion_state.h"
@@ -21,6 +22,7 @@ struct WindowScene {
   const FramePairs& pairs;
   int segments;
   int threads;
+  Tuning tuning{};
   std::vector<int> used{};                  ///< pairs that take part, ascending
   std::vector<SegmentLink> links{};         ///< reference frame
   std::vector<Eigen::Vector3d> centroids{}; ///< per segment, reference frame
@@ -43,7 +45,7 @@ pointOptions (const WindowScene& scene, int level);
 SegmentPixels
 probePoints (const FrameLevel& level,
              const cv::Mat& labels,
-             int segments,
+             const WindowScene& scene,
              PointOptions options);
 
 /** \brief One pyramid level of a window: every frame's points grouped by the segments

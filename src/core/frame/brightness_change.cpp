@@ -9,11 +9,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr std::size_t kMinPairs = 100;
-constexpr double kMinSpread = 0.02; // intensity
-constexpr int kRounds = 5;
-constexpr double kInlierMads = 3.0;
-
 double
 median (std::vector<float> values)
 {
@@ -56,21 +51,25 @@ momentsOfInliers (const std::vector<float>& a,
 } // namespace
 
 BrightnessChange
-fitBrightnessChange (const std::vector<float>& a, const std::vector<float>& b)
+fitBrightnessChange (const std::vector<float>& a,
+                     const std::vector<float>& b,
+                     const BrightnessTuning& tuning)
 {
-  if (a.size() < kMinPairs)
+  const auto min_pairs = static_cast<std::size_t> (tuning.min_pairs);
+  if (a.size() < min_pairs)
     return {};
   double gain = 1.0;
   double offset = median (b) - median (a);
   std::vector<float> residual (a.size());
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < tuning.rounds; ++round) {
     for (std::size_t i = 0; i < a.size(); ++i)
       residual[i] = static_cast<float> (std::abs (gain * a[i] + offset - b[i]));
-    const double limit = std::max (kInlierMads * median (residual), 1e-3);
+    const double limit = std::max (tuning.inlier_mads * median (residual), 1e-3);
     const Moments m = momentsOfInliers (a, b, residual, limit);
-    if (m.count < kMinPairs)
+    if (m.count < min_pairs)
       return {};
-    const bool contrast = m.spread0 > kMinSpread && m.spread1 > kMinSpread;
+    const bool contrast =
+        m.spread0 > tuning.min_spread && m.spread1 > tuning.min_spread;
     gain = contrast ? std::clamp (m.spread1 / m.spread0, 0.5, 2.0) : 1.0;
     offset = m.mean1 - gain * m.mean0;
   }

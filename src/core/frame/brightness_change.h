@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/frame_tuning.h"
+
 #include <vector>
 
 namespace pcl_msf {
@@ -19,6 +21,7 @@ struct BrightnessChange {
  * when there are too few pairs or hardly any contrast. */
 BrightnessChange
 fitBrightnessChange (const std::vector<float>& reference,
-                     const std::vector<float>& current);
+                     const std::vector<float>& current,
+                     const BrightnessTuning& tuning);
 
 } // namespace pcl_msf

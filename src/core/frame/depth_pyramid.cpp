@@ -10,8 +10,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr float kSameSurface = 0.02f; // relative difference of inverse depth
-
 /** Inverse depths of the 3x3 block around a pixel; outside the image: none. */
 std::array<float, 9>
 block (const cv::Mat& w, int x, int y)
@@ -30,7 +28,9 @@ block (const cv::Mat& w, int x, int y)
 }
 
 float
-averageOfSameSurface (const std::array<float, 9>& values, float noise)
+averageOfSameSurface (const std::array<float, 9>& values,
+                      float noise,
+                      const FrameTuning& tuning)
 {
   static constexpr std::array<float, 9> kWeights{1, 2, 1, 2, 4, 2, 1, 2, 1};
   float lead = values[4];
@@ -38,7 +38,8 @@ averageOfSameSurface (const std::array<float, 9>& values, float noise)
     lead = *std::max_element (values.begin(), values.end());
   if (lead <= 0.0f)
     return 0.0f;
-  const float tolerance = std::max (3.0f * noise, kSameSurface * lead);
+  const float tolerance =
+      std::max (tuning.same_sigmas * noise, tuning.same_surface * lead);
   float sum = 0.0f;
   float weight = 0.0f;
   for (int i = 0; i < 9; ++i)
@@ -67,13 +68,13 @@ inverseDepth (const cv::Mat& depth, double min_depth, double max_depth)
 }
 
 cv::Mat
-halveInverseDepth (const cv::Mat& w, double noise)
+halveInverseDepth (const cv::Mat& w, double noise, const FrameTuning& tuning)
 {
   cv::Mat result ((w.rows + 1) / 2, (w.cols + 1) / 2, CV_32FC1);
   for (int y = 0; y < result.rows; ++y)
     for (int x = 0; x < result.cols; ++x)
-      result.at<float> (y, x) =
-          averageOfSameSurface (block (w, 2 * x, 2 * y), static_cast<float> (noise));
+      result.at<float> (y, x) = averageOfSameSurface (
+          block (w, 2 * x, 2 * y), static_cast<float> (noise), tuning);
   return result;
 }
 

@@ -4,6 +4,8 @@
 
 #include <opencv2/core.hpp>
 
+#include "core/base/tuning/frame_tuning.h"
+
 namespace pcl_msf {
 
 /** \brief Inverse depth (CV_32FC1, 1 / metres, 0 = none) from depth in metres.
@@ -16,6 +18,8 @@ inverseDepth (const cv::Mat& depth, double min_depth, double max_depth);
  * tolerance); where the centre has no measurement the neighbour nearest to the camera
  * leads. Holes do not grow, surfaces do not mix. */
 cv::Mat
-halveInverseDepth (const cv::Mat& inverse_depth, double noise);
+halveInverseDepth (const cv::Mat& inverse_depth,
+                   double noise,
+                   const FrameTuning& tuning);
 
 } // namespace pcl_msf

@@ -14,25 +14,24 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr float kSameSurface = 0.03f; // relative difference of inverse depth per pixel
-constexpr float kSteepest = 0.3f;     // relative difference over the window's radius
-constexpr double kNormalError = 0.08; // radians aimed at
-constexpr int kMaxRadius = 4;         // even, as the step in wide windows is two
-constexpr int kRun = 128;             // pixels worked on at a time
+constexpr int kRun = 128; // pixels worked on at a time
 
 /** Half width of the window in which slopes reach the aimed accuracy: the slope over a
  * (2r+1)^2 window has standard deviation sigma / sqrt (sum of x^2). */
 int
-slopeRadius (double focal, double noise, double typical_inverse_depth)
+slopeRadius (double focal,
+             double noise,
+             double typical_inverse_depth,
+             const NormalTuning& tuning)
 {
-  for (int r = 1; r < kMaxRadius; r *= 2) {
+  for (int r = 1; r < tuning.max_radius; r *= 2) {
     const double side = 2.0 * r + 1.0;
     const double sum_of_squares = side * r * (r + 1.0) * side / 3.0;
     if (focal * noise / (typical_inverse_depth * std::sqrt (sum_of_squares)) <
-        kNormalError)
+        tuning.error)
       return r;
   }
-  return kMaxRadius;
+  return tuning.max_radius;
 }
 
 struct Slope {
@@ -76,14 +75,18 @@ addPixels (const float* center,
            float dx,
            float dy,
            float noise,
+           const NormalTuning& tuning,
            SlopeSums& sums)
 {
+  const float same_surface = tuning.same_surface;
+  const float steep = tuning.steepest;
+  const float known_noise = tuning.noise_sigmas * noise;
 #pragma omp simd
   for (int i = 0; i < n; ++i) {
     const float w = center[i];
-    const float share = kSameSurface * w;
-    const float tolerance = 4.0f * noise < share ? share : 4.0f * noise;
-    const float steepest = kSteepest * w;
+    const float share = same_surface * w;
+    const float tolerance = known_noise < share ? share : known_noise;
+    const float steepest = steep * w;
     const float there = straight[i] - w;
     const float across = mirrored[i] - w;
     const float known_there = mask (straight[i] > 0.0f);
@@ -114,6 +117,7 @@ sumWindows (const float* center,
             int n,
             int radius,
             float noise,
+            const NormalTuning& tuning,
             SlopeSums& sums)
 {
   sums = {};
@@ -127,6 +131,7 @@ sumWindows (const float* center,
                  static_cast<float> (dx),
                  static_cast<float> (dy),
                  noise,
+                 tuning,
                  sums);
 }
 
@@ -163,10 +168,11 @@ normalOf (const Slope& s, float center, int x, int y, const PinholeCamera& camer
 cv::Mat
 normalsByCentralDifferences (const cv::Mat& w,
                              const PinholeCamera& camera,
-                             double noise)
+                             double noise,
+                             const NormalTuning& tuning)
 {
   cv::Mat normals = cv::Mat::zeros (w.size(), CV_32FC3);
-  const int radius = slopeRadius (camera.fx, noise, medianInverseDepth (w));
+  const int radius = slopeRadius (camera.fx, noise, medianInverseDepth (w), tuning);
   cv::Mat bordered (w.rows + 2 * radius, w.cols + 2 * radius, CV_32FC1, cv::Scalar (0));
   w.copyTo (bordered (cv::Rect ({radius, radius}, w.size())));
   const auto stride = static_cast<std::ptrdiff_t> (bordered.cols);
@@ -175,7 +181,7 @@ normalsByCentralDifferences (const cv::Mat& w,
     for (int first = 0; first < w.cols; first += kRun) {
       const int n = std::min (kRun, w.cols - first);
       const float* center = bordered.ptr<float> (y + radius) + radius + first;
-      sumWindows (center, stride, n, radius, static_cast<float> (noise), sums);
+      sumWindows (center, stride, n, radius, static_cast<float> (noise), tuning, sums);
       cv::Vec3f* out = normals.ptr<cv::Vec3f> (y) + first;
       for (int i = 0; i < n; ++i)
         if (center[i] > 0.0f)

@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "core/base/tuning/frame_tuning.h"
 #include <pcl_msf/parameters.h>
 #include <pcl_msf/pinhole_camera.h>
 
@@ -19,7 +20,8 @@ namespace pcl_msf {
 cv::Mat
 normalsByCentralDifferences (const cv::Mat& inverse_depth,
                              const PinholeCamera& camera,
-                             double noise);
+                             double noise,
+                             const NormalTuning& tuning);
 
 /** \brief The same by pcl::IntegralImageNormalEstimation. */
 cv::Mat

@@ -3,6 +3,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/opencv_threads.h"
+#include "core/base/tuning/tuning.h"
 #include "core/frame/depth_pyramid.h"
 #include "core/frame/depth_range.h"
 #include "core/frame/frame_size.h"
@@ -19,8 +20,6 @@
 namespace pcl_msf {
 
 namespace {
-
-constexpr int kSmallestSide = 24; // pixels of the coarsest level
 
 void
 requireUsable (const cv::Mat& color,
@@ -88,13 +87,13 @@ unitOrZero (const cv::Mat& normals)
 }
 
 FrameLevel
-halve (const FrameLevel& fine, double noise)
+halve (const FrameLevel& fine, double noise, const FrameTuning& tuning)
 {
   FrameLevel coarse;
   coarse.camera = fine.camera.halved();
   if (!fine.intensity.empty())
     inThisThread ([&] { cv::pyrDown (fine.intensity, coarse.intensity); });
-  coarse.inverse_depth = halveInverseDepth (fine.inverse_depth, noise);
+  coarse.inverse_depth = halveInverseDepth (fine.inverse_depth, noise, tuning);
   coarse.normals = halveNormals (fine.normals);
   return coarse;
 }
@@ -109,6 +108,7 @@ RgbdFrame::fromImages (const cv::Mat& color,
                        const cv::Mat& normals)
 {
   requireUsable (color, depth, camera, parameters, normals);
+  const FrameTuning tuning = currentTuning().frame;
   RgbdFrame frame;
   FrameLevel level;
   level.camera = camera;
@@ -135,11 +135,11 @@ RgbdFrame::fromImages (const cv::Mat& color,
     level.normals = cv::Mat::zeros (depth.size(), CV_32FC3);
   else
     level.normals = normalsByCentralDifferences (
-        level.inverse_depth, camera, frame.inverse_depth_noise_);
+        level.inverse_depth, camera, frame.inverse_depth_noise_, tuning.normals);
   frame.levels_.push_back (level);
   while (static_cast<int> (frame.levels_.size()) < parameters.max_levels &&
-         std::min (level.width(), level.height()) >= 2 * kSmallestSide) {
-    level = halve (level, frame.inverse_depth_noise_);
+         std::min (level.width(), level.height()) >= 2 * tuning.smallest_side) {
+    level = halve (level, frame.inverse_depth_noise_, tuning);
     frame.levels_.push_back (level);
   }
   return frame;

@@ -11,9 +11,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr double kRotationPrior =
-    4.0; // pixels per radian, per sample: holds noise down
-
 constexpr int kBlock = 64;        // samples worked on at a time
 constexpr double kSettled = 0.01; // pixels: a step that moves the samples less is last
 
@@ -49,7 +46,7 @@ public:
   run (const RigidPose& start)
   {
     place (start);
-    for (int i = 0; i < options_.iterations; ++i)
+    for (int i = 0; i < options_.tuning.iterations; ++i)
       if (!step())
         break;
     return RigidPose::fromMatrix (rotation_, translation_);
@@ -180,10 +177,9 @@ FlowFit::medianError()
 void
 FlowFit::accumulate (int n, const Block& k, double scale, Equations& e) const
 {
-  constexpr float kDepthScale = 3.0f;  // standard deviations
-  constexpr float kDepthWeight = 0.2f; // pixels^2 per standard deviation^2
   const auto s2 = static_cast<float> (scale * scale);
-  const float d2 = kDepthScale * kDepthScale;
+  const float d2 = options_.tuning.depth_scale * options_.tuning.depth_scale;
+  const float depth_weight = options_.tuning.depth_weight;
   const auto camera_fx = static_cast<float> (options_.camera.fx);
   const auto camera_fy = static_cast<float> (options_.camera.fy);
   const auto sigma_w = static_cast<float> (options_.inverse_depth_sigma);
@@ -203,7 +199,7 @@ FlowFit::accumulate (int n, const Block& k, double scale, Equations& e) const
     const float shrink = s2 / (s2 + ru * ru + rv * rv);
     const float w = shrink * shrink;
     const float far = d2 / (d2 + rw * rw);
-    const float wd = k.w[i] > 0.0f ? w * kDepthWeight * far * far : 0.0f;
+    const float wd = k.w[i] > 0.0f ? w * depth_weight * far * far : 0.0f;
     const float fx = camera_fx * iz;
     const float fy = camera_fy * iz;
     const float ux = -fx * k.qx[i] * iz;                // row (fx, 0, ux)
@@ -250,7 +246,7 @@ FlowFit::accumulate (int n, const Block& k, double scale, Equations& e) const
 bool
 FlowFit::step()
 {
-  const double scale = std::max (options_.smallest_scale, 2.0 * medianError());
+  const double scale = std::max (options_.tuning.smallest_scale, 2.0 * medianError());
   Equations e;
   forEachBlock ([&] (int, int n, const Block& k) { accumulate (n, k, scale, e); });
   Matrix6 a;
@@ -259,7 +255,8 @@ FlowFit::step()
       a (row, column) = a (column, row) = e.a[row][column];
   Vector6 b = Eigen::Map<const Vector6> (e.b);
   const Eigen::Vector3d rotation_vector = vectorFromRotation (rotation_);
-  const double prior = kRotationPrior * kRotationPrior * count_;
+  const double prior =
+      options_.tuning.rotation_prior * options_.tuning.rotation_prior * count_;
   a.topLeftCorner<3, 3>().diagonal().array() += prior;
   b.head<3>() += prior * rotation_vector;
   a.diagonal().array() += 1e-9 * a.trace() + 1e-12;

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/start_tuning.h"
 #include <pcl_msf/pinhole_camera.h>
 #include <pcl_msf/rigid_pose.h>
 
@@ -21,8 +22,7 @@ struct RigidFitOptions {
   PinholeCamera camera;       ///< of the current frame
   double inverse_depth_sigma; ///< absolute part, 1 / metres
   double relative_sigma;      ///< share of the inverse depth
-  double smallest_scale;      ///< pixels: residuals below are inliers
-  int iterations;
+  RigidFitTuning tuning;
 };
 
 /** \brief Rigid motion of samples by iteratively reweighted Gauss-Newton on the

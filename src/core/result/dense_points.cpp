@@ -12,9 +12,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr double kLeastStrength = 0.2; // mixing of connections that take part
-constexpr double kReach = 0.5;         // of a segment's side: standard deviation
-
 /** One motion that takes part in moving a segment's points. */
 struct Influence {
   Eigen::Matrix3f rotation;
@@ -25,11 +22,11 @@ struct Influence {
 };
 
 Influence
-influenceOf (const SceneFlow& scene, int segment, double strength)
+influenceOf (const SceneFlow& scene, int segment, double strength, double reach_share)
 {
   const SegmentMotion& motion = scene.segments[segment];
   const Eigen::Vector2d center = scene.camera.project (motion.centroid);
-  const double reach = kReach * std::sqrt (std::max (16, motion.points));
+  const double reach = reach_share * std::sqrt (std::max (16, motion.points));
   return {motion.current_from_reference.rotation().cast<float>(),
           motion.current_from_reference.translation().cast<float>(),
           static_cast<float> (center.x()),
@@ -40,13 +37,14 @@ influenceOf (const SceneFlow& scene, int segment, double strength)
 
 /** The motions that move each segment's points; its own first. */
 std::vector<std::vector<Influence>>
-findInfluences (const SceneFlow& scene, bool blend)
+findInfluences (const SceneFlow& scene, bool blend, const BlendTuning& tuning)
 {
   std::vector<std::vector<Influence>> influences (scene.segments.size());
   std::vector<char> soft (scene.segments.size(), 0);
   for (std::size_t k = 0; k < influences.size(); ++k)
     if (scene.segments[k].points > 0)
-      influences[k].push_back (influenceOf (scene, static_cast<int> (k), 1.0));
+      influences[k].push_back (
+          influenceOf (scene, static_cast<int> (k), 1.0, tuning.reach));
   if (!blend)
     return influences;
   const auto usable = [&] (int k) {
@@ -54,16 +52,18 @@ findInfluences (const SceneFlow& scene, bool blend)
   };
   for (const SegmentPair& pair : scene.pairs) {
     const double strength = pair.mixing;
-    if (strength < kLeastStrength)
+    if (strength < tuning.least_strength)
       continue;
     const bool differ = scene.segments[pair.first].current_from_reference.parameters !=
                         scene.segments[pair.second].current_from_reference.parameters;
     if (usable (pair.second)) {
-      influences[pair.first].push_back (influenceOf (scene, pair.second, strength));
+      influences[pair.first].push_back (
+          influenceOf (scene, pair.second, strength, tuning.reach));
       soft[pair.first] |= differ;
     }
     if (usable (pair.first)) {
-      influences[pair.second].push_back (influenceOf (scene, pair.first, strength));
+      influences[pair.second].push_back (
+          influenceOf (scene, pair.first, strength, tuning.reach));
       soft[pair.second] |= differ;
     }
   }
@@ -118,6 +118,7 @@ void
 fillPoints (const DataTerm& data,
             const PinholeCamera& camera,
             bool blend,
+            const BlendTuning& tuning,
             int threads,
             SceneFlow& result)
 {
@@ -127,7 +128,7 @@ fillPoints (const DataTerm& data,
   result.points = cv::Mat (size, CV_32FC3, cv::Scalar::all (nan));
   result.displacement = cv::Mat (size, CV_32FC3, cv::Scalar::all (nan));
   result.flow = cv::Mat (size, CV_32FC2, cv::Scalar::all (nan));
-  const auto influences = findInfluences (result, blend);
+  const auto influences = findInfluences (result, blend, tuning);
   parallelFor (threads, p.segments(), 8, [&] (int k) {
     const bool known = result.segments[k].status != MotionStatus::Undetermined;
     for (int i = p.begin[k]; i < p.begin[k + 1]; ++i) {

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/result_tuning.h"
 #include "core/data/data_term.h"
 #include <pcl_msf/scene_flow.h>
 
@@ -19,6 +20,7 @@ void
 fillPoints (const DataTerm& data,
             const PinholeCamera& target_camera,
             bool blend,
+            const BlendTuning& tuning,
             int threads,
             SceneFlow& result);
 

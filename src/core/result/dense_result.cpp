@@ -14,10 +14,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr double kConnected = 0.5;   // lifting weight of a surviving connection
-constexpr double kSeenEnough = 0.15; // share of visible points that decides
-constexpr double kRankShare = 1e-5;  // of the largest eigenvalue
-
 /** Rank of an information matrix about the segment's own centroid, with rotations
  * measured at its radius, so that all six directions are metres. Flat as the factor of
  * a CompressedBlock. */
@@ -25,7 +21,8 @@ constexpr double kRankShare = 1e-5;  // of the largest eigenvalue
 numericalRank (const Matrix6& information,
                const RigidPose& pose,
                const Eigen::Vector3d& c,
-               double radius)
+               double radius,
+               double rank_share)
 {
   const Eigen::Matrix3d j =
       leftJacobian ({pose.parameters[0], pose.parameters[1], pose.parameters[2]});
@@ -39,7 +36,7 @@ numericalRank (const Matrix6& information,
       local, Eigen::EigenvaluesOnly);
   int rank = 0;
   for (int i = 0; i < 6; ++i)
-    rank += eigen.eigenvalues()[i] > kRankShare * eigen.eigenvalues()[5] &&
+    rank += eigen.eigenvalues()[i] > rank_share * eigen.eigenvalues()[5] &&
             eigen.eigenvalues()[i] > 0.0;
   return rank;
 }
@@ -57,6 +54,7 @@ void
 fillOwnMotion (const DataTerm& data,
                const MotionState& state,
                double residual_scale,
+               const StatusTuning& tuning,
                int k,
                SegmentMotion& motion)
 {
@@ -72,8 +70,9 @@ fillOwnMotion (const DataTerm& data,
   motion.rank = numericalRank (motion.information,
                                motion.current_from_reference,
                                p.centroid[k],
-                               radiusOf (p, k));
-  const bool seen = motion.visible_points > kSeenEnough * motion.points;
+                               radiusOf (p, k),
+                               tuning.rank_share);
+  const bool seen = motion.visible_points > tuning.seen_enough * motion.points;
   motion.status =
       seen && motion.rank == 6 ? MotionStatus::Determined : MotionStatus::Undetermined;
 }
@@ -84,6 +83,7 @@ void
 supportBodies (const DataTerm& data,
                const MotionState& state,
                double residual_scale,
+               double rank_share,
                std::vector<SegmentMotion>& segments)
 {
   const SegmentPixels& p = data.pixels();
@@ -110,7 +110,8 @@ supportBodies (const DataTerm& data,
     const bool whole = numericalRank (information[b],
                                       state.poses[b],
                                       center[b] / n,
-                                      std::sqrt (spread[b] / n)) == 6;
+                                      std::sqrt (spread[b] / n),
+                                      rank_share) == 6;
     if (segments[k].status == MotionStatus::Undetermined && whole)
       segments[k].status = MotionStatus::Supported;
   }
@@ -120,6 +121,7 @@ supportBodies (const DataTerm& data,
  * strong link, over any number of links. */
 void
 spreadSupport (const std::vector<SegmentPair>& pairs,
+               double connected,
                std::vector<SegmentMotion>& segments)
 {
   bool changed = true;
@@ -128,7 +130,7 @@ spreadSupport (const std::vector<SegmentPair>& pairs,
     for (const SegmentPair& pair : pairs) {
       SegmentMotion& a = segments[pair.first];
       SegmentMotion& b = segments[pair.second];
-      if (pair.weight < kConnected && a.body != b.body)
+      if (pair.weight < connected && a.body != b.body)
         continue;
       const bool a_known = a.status != MotionStatus::Undetermined;
       const bool b_known = b.status != MotionStatus::Undetermined;
@@ -155,15 +157,16 @@ fillSegments (const DataTerm& data,
               const std::vector<SegmentLink>& links,
               const MotionState& state,
               double residual_scale,
+              const ResultTuning& tuning,
               int threads,
               SceneFlow& result)
 {
   const int segments = data.pixels().segments();
   result.segments.resize (segments);
   for (int k = 0; k < segments; ++k)
-    fillOwnMotion (data, state, residual_scale, k, result.segments[k]);
+    fillOwnMotion (data, state, residual_scale, tuning.status, k, result.segments[k]);
   result.pairs.clear();
-  const auto evidence = judgeLinks (data, links, state, threads);
+  const auto evidence = judgeLinks (data, links, state, tuning.soft, threads);
   for (std::size_t i = 0; i < links.size(); ++i) {
     const bool one_body =
         state.body_of[links[i].first] == state.body_of[links[i].second];
@@ -171,9 +174,10 @@ fillSegments (const DataTerm& data,
     result.pairs.push_back (
         {links[i].first, links[i].second, weight, mixingOf (evidence[i], weight)});
   }
-  supportBodies (data, state, residual_scale, result.segments);
-  spreadSupport (result.pairs, result.segments);
-  numberGroups (state, result);
+  supportBodies (
+      data, state, residual_scale, tuning.status.rank_share, result.segments);
+  spreadSupport (result.pairs, tuning.status.connected, result.segments);
+  numberGroups (state, tuning.groups, result);
 }
 
 } // namespace pcl_msf

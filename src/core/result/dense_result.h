@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/result_tuning.h"
 #include "core/data/data_term.h"
 #include "core/motion/motion_state.h"
 #include <pcl_msf/scene_flow.h>
@@ -17,6 +18,7 @@ fillSegments (const DataTerm& data,
               const std::vector<SegmentLink>& links,
               const MotionState& state,
               double residual_scale,
+              const ResultTuning& tuning,
               int threads,
               SceneFlow& result);
 

@@ -12,12 +12,8 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr float kToleranceSigmas = 5.0f; // that SegmentPixels::depth_tolerance holds
 constexpr float kMadToSigma = 1.4826f;
-constexpr float kMostWidening = 3.0f;
 constexpr std::size_t kMostSamples = 20000; // that a median is taken of
-constexpr float kMostShare = 0.1f; // of the inverse depth: more tells no surfaces apart
-constexpr int kSurface = 4;        // measurements that make one
 
 /** Where a moved point lands and how it compares with what the frame shows there. */
 struct Landing {
@@ -47,7 +43,10 @@ surfaceAt (const kernel::Image& image, const ImagePlace& at, float tolerance)
 }
 
 Landing
-landingOf (const kernel::Image& image, const cv::Vec3f& moved, float tolerance)
+landingOf (const kernel::Image& image,
+           const cv::Vec3f& moved,
+           float tolerance,
+           float most_share)
 {
   Landing landing;
   if (!(moved[2] > 1e-3f)) // NaN, too
@@ -60,27 +59,27 @@ landingOf (const kernel::Image& image, const cv::Vec3f& moved, float tolerance)
     return landing;
   landing.expected = 1.0f / moved[2];
   landing.shown = surfaceAt (
-      image, landing.at, std::min (tolerance, kMostShare * landing.expected));
+      image, landing.at, std::min (tolerance, most_share * landing.expected));
   return landing;
 }
 
 /** What the z-test's tolerances are too small by: noise that neighbouring pixels share
  * is in the residuals only, not in the frames' own estimates. */
 float
-widening (const std::vector<Landing>& landings, const std::vector<float>& tolerance)
+widening (const std::vector<Landing>& landings, const SegmentPixels& pixels, float most)
 {
   std::vector<float> sizes;
   const std::size_t step = 1 + landings.size() / kMostSamples;
   for (std::size_t i = 0; i < landings.size(); i += step) {
     const float size = std::abs (landings[i].shown - landings[i].expected);
-    if (landings[i].shown > 0.0f && size <= kMostWidening * tolerance[i])
-      sizes.push_back (size / tolerance[i]);
+    if (landings[i].shown > 0.0f && size <= most * pixels.depth_tolerance[i])
+      sizes.push_back (size / pixels.depth_tolerance[i]);
   }
   if (sizes.empty())
     return 1.0f;
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t> (sizes.size() / 2);
   std::nth_element (sizes.begin(), middle, sizes.end());
-  return std::clamp (kToleranceSigmas * kMadToSigma * *middle, 1.0f, kMostWidening);
+  return std::clamp (pixels.tolerance_sigmas * kMadToSigma * *middle, 1.0f, most);
 }
 
 /** Measurements in a point's surroundings, and those of them that agree with it. */
@@ -119,6 +118,7 @@ bool
 liesOnSurface (const kernel::Image& image,
                const Landing& landing,
                float tolerance,
+               int least,
                const cv::Mat& points,
                int pixel)
 {
@@ -128,7 +128,7 @@ liesOnSurface (const kernel::Image& image,
       {image.width, image.height}, at, landing.expected, tolerance, [&] (int y, int x) {
         return image.texels[2 * (y * image.width + x) + 1];
       });
-  const int asked = std::min (kSurface, there.measured);
+  const int asked = std::min (least, there.measured);
   if (there.agreeing >= asked)
     return true;
   const cv::Point own (pixel % points.cols, pixel / points.cols);
@@ -145,6 +145,7 @@ Visibility
 visibilityOf (const kernel::Image& image,
               const Landing& landing,
               float tolerance,
+              const VisibilityTuning& tuning,
               const cv::Mat& points,
               int pixel)
 {
@@ -152,19 +153,24 @@ visibilityOf (const kernel::Image& image,
     return OutOfView;
   if (!(landing.shown > 0.0f))
     return Unknown;
-  const float within = std::min (tolerance, kMostShare * landing.expected);
+  const float within = std::min (tolerance, tuning.most_share * landing.expected);
   const float behind = landing.shown - landing.expected;
   if (behind > within)
     return Occluded;
   if (behind < -within)
     return Unknown;
-  return liesOnSurface (image, landing, within, points, pixel) ? Visible : Unknown;
+  return liesOnSurface (image, landing, within, tuning.surface, points, pixel)
+             ? Visible
+             : Unknown;
 }
 
 } // namespace
 
 void
-fillVisibility (const DataTerm& data, int threads, SceneFlow& result)
+fillVisibility (const DataTerm& data,
+                const VisibilityTuning& tuning,
+                int threads,
+                SceneFlow& result)
 {
   const SegmentPixels& p = data.pixels();
   const kernel::Image image = data.image();
@@ -175,9 +181,10 @@ fillVisibility (const DataTerm& data, int threads, SceneFlow& result)
     landings[i] = landingOf (image,
                              result.points.ptr<cv::Vec3f>()[p.pixel[i]] +
                                  result.displacement.ptr<cv::Vec3f>()[p.pixel[i]],
-                             p.depth_tolerance[i]);
+                             p.depth_tolerance[i],
+                             tuning.most_share);
   });
-  const float wider = widening (landings, p.depth_tolerance);
+  const float wider = widening (landings, p, tuning.most_widening);
   parallelFor (threads, p.segments(), 8, [&] (int k) {
     SegmentMotion& segment = result.segments[k];
     const bool known = segment.status != MotionStatus::Undetermined;
@@ -186,6 +193,7 @@ fillVisibility (const DataTerm& data, int threads, SceneFlow& result)
       const Visibility seen = known ? visibilityOf (image,
                                                     landings[i],
                                                     wider * p.depth_tolerance[i],
+                                                    tuning,
                                                     result.points,
                                                     p.pixel[i])
                                     : Unknown;

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/result_tuning.h"
 #include "core/data/data_term.h"
 #include <pcl_msf/scene_flow.h>
 
@@ -12,6 +13,9 @@ namespace pcl_msf {
  * \param data of level 0, whose points and depth tolerances are used
  * \param result with segments, points and displacement */
 void
-fillVisibility (const DataTerm& data, int threads, SceneFlow& result);
+fillVisibility (const DataTerm& data,
+                const VisibilityTuning& tuning,
+                int threads,
+                SceneFlow& result);
 
 } // namespace pcl_msf

@@ -9,14 +9,12 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr double kTogether = 0.95; // lifting weight that makes a motion group
-constexpr double kSoft = 0.999;    // mixing that does
-constexpr int kSmallBody = 8;      // segments that a body of a soft surface has
-
 /** Joins bodies over surviving connections, and small ones that a soft surface bridges:
  * motion groups. Joints of large rigid bodies stay apart. */
 std::vector<int>
-groupBodies (const MotionState& state, const std::vector<SegmentPair>& pairs)
+groupBodies (const MotionState& state,
+             const std::vector<SegmentPair>& pairs,
+             const GroupTuning& tuning)
 {
   std::vector<int> group (state.poses.size());
   std::iota (group.begin(), group.end(), 0);
@@ -29,11 +27,11 @@ groupBodies (const MotionState& state, const std::vector<SegmentPair>& pairs)
   for (const int b : state.body_of)
     ++segments[b];
   const auto small = [&] (int segment) {
-    return segments[state.body_of[segment]] <= kSmallBody;
+    return segments[state.body_of[segment]] <= tuning.small_body;
   };
   for (const SegmentPair& pair : pairs)
-    if (pair.weight >= kTogether ||
-        (pair.mixing >= kSoft && small (pair.first) && small (pair.second))) {
+    if (pair.weight >= tuning.together ||
+        (pair.mixing >= tuning.soft && small (pair.first) && small (pair.second))) {
       const int a = root (state.body_of[pair.first]);
       const int b = root (state.body_of[pair.second]);
       group[std::max (a, b)] = std::min (a, b);
@@ -57,9 +55,9 @@ countPoints (const std::vector<SegmentMotion>& segments, const std::vector<int>&
 } // namespace
 
 void
-numberGroups (const MotionState& state, SceneFlow& result)
+numberGroups (const MotionState& state, const GroupTuning& tuning, SceneFlow& result)
 {
-  const std::vector<int> group_of_body = groupBodies (state, result.pairs);
+  const std::vector<int> group_of_body = groupBodies (state, result.pairs, tuning);
   std::vector<int> group_of (state.body_of.size());
   for (std::size_t k = 0; k < group_of.size(); ++k)
     group_of[k] = group_of_body[state.body_of[k]];

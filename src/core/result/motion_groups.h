@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/result_tuning.h"
 #include "core/motion/motion_state.h"
 #include <pcl_msf/scene_flow.h>
 
@@ -11,6 +12,6 @@ namespace pcl_msf {
  * largest rigid body in the largest group. \param result with segments and pairs; gets
  * the segments' groups and the dominant motion */
 void
-numberGroups (const MotionState& state, SceneFlow& result);
+numberGroups (const MotionState& state, const GroupTuning& tuning, SceneFlow& result);
 
 } // namespace pcl_msf

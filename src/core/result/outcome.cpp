@@ -12,24 +12,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kFewPoints = 20;          // three residuals per parameter of a pose
-constexpr double kFew = 0.02;           // share of the moved points
-constexpr double kHardlyAny = 0.15;     // share of those that land on depth
-constexpr double kMostly = 0.5;         // share of the points with depth
-constexpr double kNoSurface = 0.1;      // noise as a share of the mean inverse depth
-constexpr double kLeastContrast = 0.02; // standard deviation of the intensity
-constexpr int kPatches = 20;            // whose median tells something
-// Median correlation of texture, the middle between what recordings show: of one place
-// 0.67 and more, also where most things move or are followed wrongly; of different ones
-// 0.26 and less.
-constexpr double kSamePlace = 0.47;
-// Where texture tells nothing. Of 117 pairs of one place, taken without colour, 75 % or
-// more of what lands on depth is found. Of 39 unrelated ones, to which nothing else
-// objects, 36 find less: below kFewFound, or with 11 % of the rest in front.
-constexpr double kFound = 0.7;
-constexpr double kInFront = 0.06; // of what is found or in front
-constexpr double kFewFound = 0.3; // share of those that land; the others may be hidden
-
 bool
 isDetermined (const SceneFlow& flow)
 {
@@ -41,23 +23,23 @@ isDetermined (const SceneFlow& flow)
 
 /** Neighbouring measurements have nothing to do with each other. */
 bool
-isNoise (const RgbdFrame& frame)
+isNoise (const RgbdFrame& frame, const OutcomeTuning& tuning)
 {
   const cv::Mat& inverse_depth = frame.levels()[0].inverse_depth;
   const double mean = cv::mean (inverse_depth, inverse_depth > 0.0f)[0];
-  return frame.inverseDepthNoise() > kNoSurface * mean;
+  return frame.inverseDepthNoise() > tuning.no_surface * mean;
 }
 
 /** As through a covered lens: hardly any contrast. */
 bool
-isBlank (const RgbdFrame& frame)
+isBlank (const RgbdFrame& frame, const OutcomeTuning& tuning)
 {
   if (!frame.hasIntensity())
     return false;
   cv::Scalar mean;
   cv::Scalar spread;
   cv::meanStdDev (frame.levels()[0].intensity, mean, spread);
-  return spread[0] < kLeastContrast;
+  return spread[0] < tuning.least_contrast;
 }
 
 /** Nothing is known: no motion is shown. */
@@ -84,16 +66,16 @@ percent (double part, double whole)
 }
 
 Judgement
-judgeOverlap (const Overlap& o)
+judgeOverlap (const Overlap& o, const OutcomeTuning& tuning)
 {
-  const double few = std::max<double> (kFewPoints, kFew * o.moved);
+  const double few = std::max<double> (tuning.few_points, tuning.few * o.moved);
   if (o.landed < few)
     return {StopReason::NothingDetermined,
             "no motion could be determined: only " + std::to_string (o.landed) +
                 " of " + std::to_string (o.moved) +
                 " points land where the other frame has depth: give frames that "
                 "overlap and more depth"};
-  if (o.found < few || o.found < kHardlyAny * o.landed)
+  if (o.found < few || o.found < tuning.hardly_any * o.landed)
     return {StopReason::DifferentPlaces,
             "the frames show different places: only " + percent (o.found, o.landed) +
                 " of the points that land on the other frame's depth are found there; "
@@ -104,11 +86,11 @@ judgeOverlap (const Overlap& o)
 /** Of shape alone. A wall that fits hides nothing; what stands before the other frame's
  * surfaces contradicts them. */
 Judgement
-judgeShape (const Overlap& o, int in_front)
+judgeShape (const Overlap& o, int in_front, const OutcomeTuning& tuning)
 {
-  const bool contradicted =
-      o.found < kFound * o.landed && in_front > kInFront * (o.found + in_front);
-  if (!contradicted && o.found >= kFewFound * o.landed)
+  const bool contradicted = o.found < tuning.found * o.landed &&
+                            in_front > tuning.in_front * (o.found + in_front);
+  if (!contradicted && o.found >= tuning.few_found * o.landed)
     return {};
   return {StopReason::DifferentPlaces,
           "the frames show different places: only " + percent (o.found, o.landed) +
@@ -119,15 +101,15 @@ judgeShape (const Overlap& o, int in_front)
 }
 
 Judgement
-judgeTexture (const Likeness& texture)
+judgeTexture (const Likeness& texture, const OutcomeTuning& tuning)
 {
-  if (texture.median >= kSamePlace)
+  if (texture.median >= tuning.same_place)
     return {};
   return {StopReason::DifferentPlaces,
           "the frames show different places: the texture found correlates with the "
           "reference's by only " +
               fixedText (texture.median, 2) + " (median; the same place by " +
-              fixedText (kSamePlace, 2) +
+              fixedText (tuning.same_place, 2) +
               " or more); give frames that overlap, or a guess"};
 }
 
@@ -145,6 +127,7 @@ Judgement
 judgeMotion (const RgbdFrame& reference,
              const RgbdFrame& current,
              double intensity_noise,
+             const OutcomeTuning& tuning,
              SceneFlow& flow)
 {
   const Judgement nothing{StopReason::NothingDetermined,
@@ -154,27 +137,29 @@ judgeMotion (const RgbdFrame& reference,
   Judgement judgement = nothing;
   if (isDetermined (flow)) {
     const Overlap overlap = measureOverlap (current, flow);
-    judgement = judgeOverlap (overlap);
+    judgement = judgeOverlap (overlap, tuning);
     if (judgement.objection == StopReason::NotRun) {
-      const Likeness texture =
-          compareTexture (reference, current, intensity_noise, flow);
-      judgement = texture.patches >= kPatches
-                      ? judgeTexture (texture)
-                      : judgeShape (overlap, countInFront (reference, current, flow));
+      const Likeness texture = compareTexture (
+          reference, current, intensity_noise, tuning.significant, flow);
+      judgement = texture.patches >= tuning.patches
+                      ? judgeTexture (texture, tuning)
+                      : judgeShape (overlap,
+                                    countInFront (reference, current, tuning, flow),
+                                    tuning);
     }
     if (judgement.objection == StopReason::NotRun &&
-        (isNoise (reference) || isNoise (current)))
+        (isNoise (reference, tuning) || isNoise (current, tuning)))
       judgement = {StopReason::DifferentPlaces,
                    "the frames show different places: the depth of one is noise, in "
                    "which no surface is found"};
     // A blank frame shows no other one's texture: then its depth must tell nearly all.
-    const bool lost_texture = isBlank (reference) != isBlank (current);
-    if (lost_texture && overlap.found < kMostly * overlap.moved)
+    const bool lost_texture = isBlank (reference, tuning) != isBlank (current, tuning);
+    if (lost_texture && overlap.found < tuning.mostly * overlap.moved)
       judgement = nothing;
     // The little that seemed determined is not found either.
     if (judgement.objection == StopReason::DifferentPlaces &&
-        (overlap.moved < kMostly * overlap.points || isBlank (reference) ||
-         isBlank (current)))
+        (overlap.moved < tuning.mostly * overlap.points ||
+         isBlank (reference, tuning) || isBlank (current, tuning)))
       judgement = nothing;
   }
   if (judgement.objection == StopReason::NothingDetermined)

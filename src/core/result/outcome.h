@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/result_tuning.h"
 #include <pcl_msf/rgbd_frame.h>
 #include <pcl_msf/scene_flow.h>
 
@@ -32,6 +33,7 @@ Judgement
 judgeMotion (const RgbdFrame& reference,
              const RgbdFrame& current,
              double intensity_noise,
+             const OutcomeTuning& tuning,
              SceneFlow& flow);
 
 /** \brief Stop reason, flag and message of a report, so that they agree.

@@ -11,10 +11,8 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kPatch = 9;            // pixels, side
-constexpr int kEnough = 60;          // of its 81 pixels
-constexpr double kSignificant = 3.0; // standard deviations of the noise
-constexpr float kNear = 0.03f;       // of the depth: one surface, roughly fitted
+constexpr int kPatch = 9;   // pixels, side
+constexpr int kEnough = 60; // of its 81 pixels
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 bool
@@ -94,13 +92,13 @@ struct PatchSums {
 
 /** NaN when too little is seen, or stands out of the noise in neither frame. */
 double
-correlation (const PatchSums& sums, double noise)
+correlation (const PatchSums& sums, double least_deviation)
 {
   if (sums.n < kEnough)
     return kNone;
   const double before = sums.moment (sums.xx, sums.x, sums.x);
   const double after = sums.moment (sums.yy, sums.y, sums.y);
-  const double least = kSignificant * noise * (kSignificant * noise);
+  const double least = least_deviation * least_deviation;
   if (!(std::max (before, after) > least))
     return kNone;
   // Where one is flat, nothing of the other is found.
@@ -138,12 +136,13 @@ measureOverlap (const RgbdFrame& current, const SceneFlow& flow)
 int
 countInFront (const RgbdFrame& reference,
               const RgbdFrame& current,
+              const OutcomeTuning& tuning,
               const SceneFlow& flow)
 {
   const cv::Mat& depth = current.levels()[0].inverse_depth;
-  const auto noise =
-      static_cast<float> (kSignificant * std::hypot (reference.inverseDepthNoise(),
-                                                     current.inverseDepthNoise()));
+  const auto noise = static_cast<float> (
+      tuning.significant *
+      std::hypot (reference.inverseDepthNoise(), current.inverseDepthNoise()));
   int count = 0;
   for (int v = 0; v < flow.flow.rows; ++v)
     for (int u = 0; u < flow.flow.cols; ++u) {
@@ -157,7 +156,7 @@ countInFront (const RgbdFrame& reference,
             y <= static_cast<float> (depth.rows - 1)))
         continue;
       const float seen = nearestDepth (depth, cvRound (x), cvRound (y), 1.0f / z);
-      count += seen > 0.0f && 1.0f / z - seen > noise + kNear * seen ? 1 : 0;
+      count += seen > 0.0f && 1.0f / z - seen > noise + tuning.near * seen ? 1 : 0;
     }
   return count;
 }
@@ -166,6 +165,7 @@ Likeness
 compareTexture (const RgbdFrame& reference,
                 const RgbdFrame& current,
                 double intensity_noise,
+                double significant,
                 const SceneFlow& flow)
 {
   const cv::Mat& before = reference.levels()[0].intensity;
@@ -180,7 +180,8 @@ compareTexture (const RgbdFrame& reference,
         for (int u = left; u < left + kPatch; ++u)
           if (const float other = found (after, flow, u, v); !std::isnan (other))
             sums.add (before.at<float> (v, u), other);
-      if (const double c = correlation (sums, intensity_noise); !std::isnan (c))
+      if (const double c = correlation (sums, significant * intensity_noise);
+          !std::isnan (c))
         values.push_back (c);
     }
   if (values.empty())

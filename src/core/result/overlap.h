@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/result_tuning.h"
 #include <pcl_msf/rgbd_frame.h>
 #include <pcl_msf/scene_flow.h>
 
@@ -25,6 +26,7 @@ measureOverlap (const RgbdFrame& current, const SceneFlow& flow);
 int
 countInFront (const RgbdFrame& reference,
               const RgbdFrame& current,
+              const OutcomeTuning& tuning,
               const SceneFlow& flow);
 
 /** \brief How alike the texture of visible points is in both frames. */
@@ -42,11 +44,13 @@ struct Likeness {
  * whose motion is wrong, as long as most of the texture is followed.
  * \param flow with flow and visibility
  * \param intensity_noise standard deviation
+ * \param significant such deviations that a patch must stand out by
  * \return no patches without intensity */
 Likeness
 compareTexture (const RgbdFrame& reference,
                 const RgbdFrame& current,
                 double intensity_noise,
+                double significant,
                 const SceneFlow& flow);
 
 } // namespace pcl_msf

@@ -15,12 +15,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kSamples = 96;      // per segment and link
-constexpr int kLeastSamples = 12; // that lie between the centres
-constexpr float kNear = 0.15f;    // shares of the way between the centres: there both
-constexpr float kFar = 0.85f;     // hypotheses agree
-constexpr double kClear = 0.1;    // mean cost per point that counts as a difference
-
 /** A segment's motion, in single precision, and its centre in the reference image. */
 struct Side {
   Eigen::Matrix3f rotation;
@@ -30,7 +24,7 @@ struct Side {
 
 class LinkJudge {
 public:
-  LinkJudge (const DataTerm& data, const MotionState& state);
+  LinkJudge (const DataTerm& data, const MotionState& state, const SoftTuning& tuning);
 
   LinkEvidence
   judge (const SegmentLink& link) const;
@@ -50,12 +44,15 @@ private:
 
   const DataTerm& data_;
   const kernel::Image image_;
+  const SoftTuning& tuning_;
   std::vector<Side> sides_; ///< per segment
   std::vector<int> body_of_;
 };
 
-LinkJudge::LinkJudge (const DataTerm& data, const MotionState& state)
-: data_ (data), image_ (data.image()), body_of_ (state.body_of)
+LinkJudge::LinkJudge (const DataTerm& data,
+                      const MotionState& state,
+                      const SoftTuning& tuning)
+: data_ (data), image_ (data.image()), tuning_ (tuning), body_of_ (state.body_of)
 {
   for (int k = 0; k < data.pixels().segments(); ++k) {
     const RigidPose& pose = state.poseOf (k);
@@ -105,14 +102,15 @@ LinkJudge::addSide (const Side& own, const Side& other, int k, Costs& costs) con
   const SegmentPixels& p = data_.pixels();
   const Eigen::Vector2f way = other.center - own.center;
   const float square = std::max (way.squaredNorm(), 1.0f);
-  const int step = std::max (1, p.size (k) / kSamples);
+  const int step = std::max (1, p.size (k) / tuning_.samples);
   for (int i = p.begin[k]; i < p.begin[k + 1]; i += step) {
     const Eigen::Vector2f at (static_cast<float> (p.pixel[i] % image_.width),
                               static_cast<float> (p.pixel[i] / image_.width));
     const Eigen::Vector2f off = at - own.center;
     const float share = off.dot (way) / square;
     const float aside = off.x() * way.y() - off.y() * way.x();
-    if (share < kNear || share > kFar || aside * aside > 0.25f * square * square)
+    if (share < tuning_.near || share > tuning_.far ||
+        aside * aside > 0.25f * square * square)
       continue;
     const Eigen::Vector3f point (p.x[i], p.y[i], p.z[i]);
     const Eigen::Vector3f normal =
@@ -136,10 +134,10 @@ LinkJudge::judge (const SegmentLink& link) const
   Costs costs;
   addSide (sides_[link.first], sides_[link.second], link.first, costs);
   addSide (sides_[link.second], sides_[link.first], link.second, costs);
-  if (costs.points < kLeastSamples)
+  if (costs.points < tuning_.least_samples)
     return LinkEvidence::None;
   const double gain = (costs.own - costs.mixed) / costs.points;
-  if (std::abs (gain) < kClear)
+  if (std::abs (gain) < tuning_.clear)
     return LinkEvidence::None;
   return gain > 0.0 ? LinkEvidence::Soft : LinkEvidence::Sharp;
 }
@@ -150,9 +148,10 @@ std::vector<LinkEvidence>
 judgeLinks (const DataTerm& data,
             const std::vector<SegmentLink>& links,
             const MotionState& state,
+            const SoftTuning& tuning,
             int threads)
 {
-  const LinkJudge judge (data, state);
+  const LinkJudge judge (data, state, tuning);
   std::vector<LinkEvidence> evidence (links.size(), LinkEvidence::None);
   const int n = static_cast<int> (links.size());
   parallelFor (threads, n, 16, [&] (int i) { evidence[i] = judge.judge (links[i]); });

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/result_tuning.h"
 #include "core/data/data_term.h"
 #include "core/motion/motion_state.h"
 
@@ -25,6 +26,7 @@ std::vector<LinkEvidence>
 judgeLinks (const DataTerm& data,
             const std::vector<SegmentLink>& links,
             const MotionState& state,
+            const SoftTuning& tuning,
             int threads);
 
 } // namespace pcl_msf

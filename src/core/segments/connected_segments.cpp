@@ -14,8 +14,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr float kBreak = 6.0f; // tolerances off the tangent plane that end a surface
-
 /** Disjoint sets of numbers; the smallest one is the root. */
 class Sets {
 public:
@@ -46,9 +44,13 @@ private:
 /** Slopes of the inverse depth per pixel, from the normals. */
 class TangentPlanes {
 public:
-  TangentPlanes (const FrameLevel& level, double noise, int threads)
+  TangentPlanes (const FrameLevel& level,
+                 double noise,
+                 const SegmentTuning& tuning,
+                 int threads)
   : level_ (level)
   , noise_ (static_cast<float> (noise))
+  , tuning_ (tuning)
   , slopes_ (level.height(), level.width(), CV_32FC2)
   {
     parallelFor (threads, level.height(), 16, [&] (int y) { fillRow (y); });
@@ -68,7 +70,8 @@ public:
     const float d = w1 - w0;
     const float off0 = std::abs (d - s0[0] * dx - s0[1] * dy);
     const float off1 = std::abs (d - s1[0] * dx - s1[1] * dy);
-    return std::min (off0, off1) / surfaceTolerance (std::min (w0, w1), noise_);
+    return std::min (off0, off1) /
+           surfaceTolerance (std::min (w0, w1), noise_, tuning_);
   }
 
 private:
@@ -93,6 +96,7 @@ private:
 
   const FrameLevel& level_;
   float noise_;
+  const SegmentTuning& tuning_;
   cv::Mat slopes_;
 };
 
@@ -100,7 +104,10 @@ private:
 enum Connection : unsigned char { kRight = 1, kDown = 2 };
 
 cv::Mat
-findConnections (const cv::Mat& labels, const TangentPlanes& planes, int threads)
+findConnections (const cv::Mat& labels,
+                 const TangentPlanes& planes,
+                 float stop,
+                 int threads)
 {
   cv::Mat result (labels.size(), CV_8UC1);
   parallelFor (threads, labels.rows, 16, [&] (int y) {
@@ -112,9 +119,9 @@ findConnections (const cv::Mat& labels, const TangentPlanes& planes, int threads
       if (row[x] < 0)
         continue;
       if (x + 1 < labels.cols && row[x + 1] == row[x] &&
-          planes.distance (x, y, x + 1, y) < kBreak)
+          planes.distance (x, y, x + 1, y) < stop)
         out[x] |= kRight;
-      if (next && next[x] == row[x] && planes.distance (x, y, x, y + 1) < kBreak)
+      if (next && next[x] == row[x] && planes.distance (x, y, x, y + 1) < stop)
         out[x] |= kDown;
     }
   });
@@ -272,13 +279,14 @@ connectSegments (const cv::Mat& labels,
                  const FrameLevel& level,
                  double inverse_depth_noise,
                  int min_points,
+                 const SegmentTuning& tuning,
                  int threads)
 {
-  const TangentPlanes planes (level, inverse_depth_noise, threads);
-  Parts parts (labels, findConnections (labels, planes, threads));
+  const TangentPlanes planes (level, inverse_depth_noise, tuning, threads);
+  Parts parts (labels,
+               findConnections (labels, planes, tuning.connections.stop, threads));
   const std::vector<Border> borders = parts.borders (planes, min_points);
-  constexpr int kRounds = 3; // small parts in the middle of small parts
-  for (int round = 0; round < kRounds; ++round)
+  for (int round = 0; round < tuning.connections.rounds; ++round)
     if (parts.absorbSmall (borders, min_points) == 0)
       break;
   // Isolated small parts go back to one common part per label.

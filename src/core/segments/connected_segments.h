@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "core/base/tuning/segment_tuning.h"
 #include <pcl_msf/rgbd_frame.h>
 
 namespace pcl_msf {
@@ -20,6 +21,7 @@ connectSegments (const cv::Mat& labels,
                  const FrameLevel& level,
                  double inverse_depth_noise,
                  int min_points,
+                 const SegmentTuning& tuning,
                  int threads);
 
 } // namespace pcl_msf

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/base/parallel_for.h"
+#include "core/base/tuning/tuning.h"
 #include "core/segments/connected_segments.h"
 #include "core/segments/library_segmentations.h"
 #include "core/segments/surface_clusters.h"
@@ -76,10 +77,15 @@ cut (const RgbdFrame& frame, const SegmentationParameters& parameters, int threa
   case SegmentationMethod::TangentPlane:
     break;
   }
+  const SegmentTuning tuning = currentTuning().segments;
   const double noise = frame.inverseDepthNoise();
   const int min_points = std::max (8, size * size / 8);
-  return connectSegments (
-      clusterSurfaces (level, noise, size, threads), level, noise, min_points, threads);
+  return connectSegments (clusterSurfaces (level, noise, size, tuning, threads),
+                          level,
+                          noise,
+                          min_points,
+                          tuning,
+                          threads);
 }
 
 } // namespace

@@ -11,8 +11,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kLeastSamples = 2048; // of all segments together
-
 /** Where each segment's points begin, and the pixels in that order. */
 void
 sortBySegment (const cv::Mat& labels, int segments, SegmentPixels& out)
@@ -34,10 +32,10 @@ sortBySegment (const cv::Mat& labels, int segments, SegmentPixels& out)
 
 /** Keeps samples of each segment; more of each when the segments are few. */
 void
-thin (int max_per_segment, SegmentPixels& out)
+thin (int max_per_segment, int least_samples, SegmentPixels& out)
 {
   const int most =
-      std::max (max_per_segment, kLeastSamples / std::max (1, out.segments()));
+      std::max (max_per_segment, least_samples / std::max (1, out.segments()));
   std::vector<int> begin (1, 0);
   std::vector<int> pixel;
   for (int k = 0; k < out.segments(); ++k) {
@@ -111,9 +109,8 @@ fillDepthScales (const FrameLevel& level,
           ? w * n.head<2>().norm() /
                 (std::max (along_ray, 0.1f) * static_cast<float> (level.camera.fx))
           : 0.0f;
-  constexpr float kOcclusionSigmas = 5.0f;
   out.depth_tolerance[i] =
-      kOcclusionSigmas * static_cast<float> (options.noise.inverse_depth) +
+      options.tuning.hidden_sigmas * static_cast<float> (options.noise.inverse_depth) +
       static_cast<float> (options.relative_tolerance) * w + slope;
 }
 
@@ -161,7 +158,7 @@ groupPixels (const FrameLevel& level,
   SegmentPixels out;
   sortBySegment (labels, segments, out);
   if (options.max_per_segment > 0)
-    thin (options.max_per_segment, out);
+    thin (options.max_per_segment, options.tuning.least_samples, out);
   resizeArrays (out);
   out.centroid.assign (segments, Eigen::Vector3d::Zero());
   std::atomic<int> brightness_count{0};
@@ -180,6 +177,7 @@ groupPixels (const FrameLevel& level,
     brightness_count += brightness;
     icp_count += icp;
   });
+  out.tolerance_sigmas = options.tuning.hidden_sigmas;
   out.areas = options.noise.areas;
   out.pixel_area = 1 << (2 * options.level);
   out.brightness_count = brightness_count;

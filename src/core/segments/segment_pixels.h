@@ -6,6 +6,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "core/base/tuning/segment_tuning.h"
 #include "core/frame/brightness_change.h"
 #include <pcl_msf/rgbd_frame.h>
 
@@ -46,6 +47,7 @@ struct SegmentPixels {
   std::vector<float> brightness_scale;
   std::vector<float> icp_scale;
   std::vector<float> depth_tolerance;    ///< of the z-test, 1 / metres
+  float tolerance_sigmas{1.0f};          ///< standard deviations of the noise in it
   std::vector<Eigen::Vector3d> centroid; ///< metres; of the level's points
   int brightness_count{0};               ///< points with intensity
   int icp_count{0};                      ///< points with a normal
@@ -72,9 +74,10 @@ struct PointOptions {
                                    ///< makes on a slanted surface
   BrightnessChange change;         ///< applied to the reference's intensity
   int max_per_segment{0};          ///< 0 = all; else evenly spaced samples; more when
-                                   ///< so few segments would have less than 2048 in all
+                                   ///< so few segments would have too few in all
   int threads{1};
   int level{0};
+  PixelTuning tuning{};
 };
 
 /** \brief Groups a level's points. \param labels of the level's size, -1 = none */

@@ -12,12 +12,7 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kIterations = 4; // at every second pixel, before the full one
-constexpr float kIntensityScale =
-    8.f;                             // intensity 1/8 counts as much as one cluster side
-constexpr float kPlaneScale = 0.25f; // four tolerances off the plane count as much
-constexpr float kPlaneLimit = 9.0f;  // of the squared plane distance: robust
-constexpr int kRun = 64;             // pixels looked at together
+constexpr int kRun = 64; // pixels looked at together
 
 /** A cluster: centre, plane W = w + du (x - cx) + dv (y - cy), mean intensity. */
 struct Cluster {
@@ -38,8 +33,13 @@ struct Run {
 
 class Clusterer {
 public:
-  Clusterer (const FrameLevel& level, double noise, int size, int threads)
+  Clusterer (const FrameLevel& level,
+             double noise,
+             int size,
+             const SegmentTuning& tuning,
+             int threads)
   : level_ (level)
+  , tuning_ (tuning)
   , threads_ (threads)
   , noise_ (static_cast<float> (noise))
   , step_ (static_cast<float> (size))
@@ -53,7 +53,7 @@ public:
   cv::Mat
   run ()
   {
-    for (int i = 0; i < kIterations; ++i) {
+    for (int i = 0; i < tuning_.clusters.iterations; ++i) {
       assign (2);
       update (2);
     }
@@ -85,6 +85,7 @@ private:
   }
 
   const FrameLevel& level_;
+  const SegmentTuning& tuning_;
   int threads_;
   float noise_;
   float step_;
@@ -125,8 +126,12 @@ Clusterer::findNearest (int y, int column, int n, Run& run) const
 {
   const int row = std::min (rows_ - 1, y * rows_ / level_.height());
   const float inverse_step = 1.0f / step_;
+  const float plane_scale = tuning_.clusters.plane_scale;
+  const float plane_limit = tuning_.clusters.plane_limit;
+  const float intensity_scale = tuning_.clusters.intensity_scale;
   for (int i = 0; i < n; ++i) {
-    run.inverse_tolerance[i] = kPlaneScale / surfaceTolerance (run.w[i], noise_);
+    run.inverse_tolerance[i] =
+        plane_scale / surfaceTolerance (run.w[i], noise_, tuning_);
     run.best[i] = 1e30f;
     run.label[i] = -1.0f;
   }
@@ -142,9 +147,9 @@ Clusterer::findNearest (int y, int column, int n, Run& run) const
         const float off =
             (run.w[i] - k.w - k.du * dx - k.dv * dy) * run.inverse_tolerance[i];
         const float off2 = off * off;
-        const float shade = (run.intensity[i] - k.intensity) * kIntensityScale;
+        const float shade = (run.intensity[i] - k.intensity) * intensity_scale;
         const float distance = (dx * dx + dy * dy) * inverse_step * inverse_step +
-                               (off2 < kPlaneLimit ? off2 : kPlaneLimit) +
+                               (off2 < plane_limit ? off2 : plane_limit) +
                                shade * shade;
         const float best = run.best[i];
         const float nearer = distance < best ? 1.0f : 0.0f;
@@ -201,7 +206,8 @@ Clusterer::update (int stride)
       const double dx = x - k.x;
       const double dy = y - k.y;
       const auto off = static_cast<float> (w - k.w - k.du * dx - k.dv * dy);
-      if (k.w > 0.0f && std::abs (off) > 8.0f * surfaceTolerance (w, noise_))
+      if (k.w > 0.0f && std::abs (off) > tuning_.clusters.outlier *
+                                             surfaceTolerance (w, noise_, tuning_))
         continue;
       Sums& s = sums[label];
       s.n += 1;
@@ -245,9 +251,10 @@ cv::Mat
 clusterSurfaces (const FrameLevel& level,
                  double inverse_depth_noise,
                  int size,
+                 const SegmentTuning& tuning,
                  int threads)
 {
-  return Clusterer (level, inverse_depth_noise, size, threads).run();
+  return Clusterer (level, inverse_depth_noise, size, tuning, threads).run();
 }
 
 } // namespace pcl_msf

@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "core/base/tuning/segment_tuning.h"
 #include <pcl_msf/rgbd_frame.h>
 
 namespace pcl_msf {
@@ -19,14 +20,15 @@ cv::Mat
 clusterSurfaces (const FrameLevel& level,
                  double inverse_depth_noise,
                  int size,
+                 const SegmentTuning& tuning,
                  int threads);
 
 /** \brief Standard deviation that a pixel of inverse depth w is judged by when asking
  * whether it lies on a plane: the noise, and a share of w for what is not plane. */
 inline float
-surfaceTolerance (float w, float noise)
+surfaceTolerance (float w, float noise, const SegmentTuning& tuning)
 {
-  return noise + 0.002f * w;
+  return noise + tuning.plane_share * w;
 }
 
 } // namespace pcl_msf

@@ -14,9 +14,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr float kStep = 6.0f;   // tolerances between two pixels that end a surface
-constexpr double kApart = 0.03; // strength of segments that share no surface
-
 /** A common border, in pairs of pixels. */
 struct Border {
   int length{0};
@@ -28,6 +25,7 @@ public:
   Borders (const cv::Mat& labels,
            const FrameLevel& level,
            double noise,
+           const SegmentTuning& tuning,
            const std::vector<SegmentLink>& links);
 
   void
@@ -38,7 +36,7 @@ public:
   {
     const Border& b = borders_[link];
     const double share = b.length > 0 ? static_cast<double> (b.smooth) / b.length : 0.0;
-    return kApart + (1.0 - kApart) * share;
+    return tuning_.links.apart + (1.0 - tuning_.links.apart) * share;
   }
 
 private:
@@ -48,6 +46,7 @@ private:
   const cv::Mat& labels_;
   const cv::Mat& inverse_depth_;
   const float noise_;
+  const SegmentTuning& tuning_;
   std::vector<std::vector<std::pair<int, std::size_t>>> links_of_; ///< by the first
   std::vector<Border> borders_;                                    ///< per link
 };
@@ -55,10 +54,12 @@ private:
 Borders::Borders (const cv::Mat& labels,
                   const FrameLevel& level,
                   double noise,
+                  const SegmentTuning& tuning,
                   const std::vector<SegmentLink>& links)
 : labels_ (labels)
 , inverse_depth_ (level.inverse_depth)
 , noise_ (static_cast<float> (noise))
+, tuning_ (tuning)
 , borders_ (links.size())
 {
   int segments = 0;
@@ -81,7 +82,8 @@ Borders::add (int x0, int y0, int x1, int y1)
   const float w1 = inverse_depth_.at<float> (y1, x1);
   if (!(w0 > 0.0f && w1 > 0.0f))
     return;
-  const float step = kStep * surfaceTolerance (std::min (w0, w1), noise_);
+  const float step =
+      tuning_.links.step * surfaceTolerance (std::min (w0, w1), noise_, tuning_);
   for (const auto& [second, link] : links_of_[first])
     if (second == std::max (a, b)) {
       ++borders_[link].length;
@@ -107,9 +109,10 @@ void
 weighLinksBySurface (const cv::Mat& labels,
                      const FrameLevel& level,
                      double inverse_depth_noise,
+                     const SegmentTuning& tuning,
                      std::vector<SegmentLink>& links)
 {
-  Borders borders (labels, level, inverse_depth_noise, links);
+  Borders borders (labels, level, inverse_depth_noise, tuning, links);
   borders.measure();
   double sum = 0.0;
   for (std::size_t i = 0; i < links.size(); ++i)

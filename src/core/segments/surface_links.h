@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/segment_tuning.h"
 #include "core/motion/motion_state.h"
 #include <pcl_msf/rgbd_frame.h>
 
@@ -21,6 +22,7 @@ void
 weighLinksBySurface (const cv::Mat& labels,
                      const FrameLevel& level,
                      double inverse_depth_noise,
+                     const SegmentTuning& tuning,
                      std::vector<SegmentLink>& links);
 
 } // namespace pcl_msf

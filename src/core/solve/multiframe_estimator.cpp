@@ -35,7 +35,13 @@ MultiframeEstimator::estimate (const std::vector<RgbdFrame>& frames,
   const SceneFlowEstimator pair (energy_, solver_);
   for (const RgbdFrame& frame : frames)
     pair.requireUsable (frames[reference], frame, segments, guess);
-  return WindowSolve (frames, reference, segments, energy_, solver_, multiframe_)
+  return WindowSolve (frames,
+                      reference,
+                      segments,
+                      energy_,
+                      solver_,
+                      multiframe_,
+                      currentTuning())
       .run (guess);
 }
 

@@ -64,7 +64,7 @@ SceneFlowEstimator::estimate (const RgbdFrame& reference,
 {
   requireUsable (reference, current, segments, guess);
   const std::vector<RgbdFrame> frames{reference, current};
-  WindowSolve solve (frames, 0, segments, energy_, solver_, {});
+  WindowSolve solve (frames, 0, segments, energy_, solver_, {}, currentTuning());
   return std::move (solve.run (guess).frames[1]);
 }
 
@@ -82,7 +82,7 @@ SceneFlowEstimator::estimateFrom (const RgbdFrame& reference,
   for (const RigidPose& pose : start)
     requireSane (pose, "a start pose");
   const std::vector<RgbdFrame> frames{reference, current};
-  WindowSolve solve (frames, 0, segments, energy_, solver_, {});
+  WindowSolve solve (frames, 0, segments, energy_, solver_, {}, currentTuning());
   solve.startFrom (start);
   return std::move (solve.run ({}).frames[1]);
 }

@@ -203,7 +203,8 @@ void
 SceneFlowTracker::solve (Window window)
 {
   const std::vector<RgbdFrame> frames (window.frames.begin(), window.frames.end());
-  WindowSolve joint (frames, 0, window.segments, energy_, solver_, multiframe_);
+  WindowSolve joint (
+      frames, 0, window.segments, energy_, solver_, multiframe_, currentTuning());
   const RigidPose last_step =
       result_.frames.size() < 2
           ? RigidPose{}

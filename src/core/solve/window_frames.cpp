@@ -11,12 +11,6 @@
 /* What WindowSolve's present poses tell about the frames. */
 namespace pcl_msf {
 
-namespace {
-
-constexpr int kExposureSamples = 64; // per segment
-
-} // namespace
-
 cv::Mat
 WindowSolve::labelsIn (int frame) const
 {
@@ -24,7 +18,8 @@ WindowSolve::labelsIn (int frame) const
                                segments_.labels(),
                                state_.ofPair (pairs_.fromReference (frame)),
                                frames_[frame].levels()[0],
-                               scene_.noise);
+                               scene_.noise,
+                               scene_.tuning.window.carrier);
 }
 
 /** Per frame that a pair starts from, at a level. */
@@ -57,7 +52,7 @@ WindowSolve::fitExposures (int at, const cv::Mat& labels)
 {
   const int reference = pairs_.reference();
   PointOptions options = pointOptions (scene_, at);
-  options.max_per_segment = kExposureSamples;
+  options.max_per_segment = scene_.tuning.window.falloff.samples;
   const SegmentPixels points =
       groupPixels (frames_[reference].levels()[at], labels, scene_.segments, options);
   std::vector<MatchedIntensities> matches (frames_.size());
@@ -66,9 +61,10 @@ WindowSolve::fitExposures (int at, const cv::Mat& labels)
       return;
     matches[f] = matchIntensities (
         points, state_.ofPair (pairs_.fromReference (f)), frames_[f].levels()[at]);
-    scene_.exposure[f] = fitBrightnessChange (matches[f].reference, matches[f].current);
+    scene_.exposure[f] = fitBrightnessChange (
+        matches[f].reference, matches[f].current, scene_.tuning.frame.brightness);
   });
-  scene_.falloff = fitFalloff (matches, scene_.exposure);
+  scene_.falloff = fitFalloff (matches, scene_.exposure, scene_.tuning.window.falloff);
 }
 
 /** All frames' measurements of the reference's points in one. */
@@ -85,6 +81,7 @@ WindowSolve::fuseDepth()
                                          segments_.labels(),
                                          witnesses,
                                          scene_.noise,
+                                         scene_.tuning.window.fusion,
                                          scene_.threads);
 }
 

@@ -21,11 +21,16 @@ WindowSolve::resultFor (int frame)
                 scene_.links,
                 state_.ofPair (pair),
                 residualScale (energy_, data.pixels()),
+                scene_.tuning.result,
                 scene_.threads,
                 result);
-  fillPoints (
-      data, frames_[frame].camera(), user_.blend_motions, scene_.threads, result);
-  fillVisibility (data, scene_.threads, result);
+  fillPoints (data,
+              frames_[frame].camera(),
+              user_.blend_motions,
+              scene_.tuning.result.blend,
+              scene_.threads,
+              result);
+  fillVisibility (data, scene_.tuning.result.visibility, scene_.threads, result);
   return result;
 }
 
@@ -59,8 +64,11 @@ WindowSolve::concludeReport (MultiframeSceneFlow& result)
   for (int f = 0; f < pairs_.frames(); ++f) {
     if (f == pairs_.reference())
       continue;
-    judgements.push_back (
-        judgeMotion (reference, frames_[f], scene_.noise.intensity, result.frames[f]));
+    judgements.push_back (judgeMotion (reference,
+                                       frames_[f],
+                                       scene_.noise.intensity,
+                                       scene_.tuning.result.outcome,
+                                       result.frames[f]));
     judgements.back().frame = isPair() ? -1 : f;
   }
   conclude (

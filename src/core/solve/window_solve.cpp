@@ -16,20 +16,8 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kCoarsestLevel = 2; // the first solve of two frames
-constexpr int kSpreads = 2; // how often motions spread from segment to segment there
-constexpr double kEnoughJumps = 0.05; // of the segments, for another solve
-constexpr int kStartLevel = 1;        // their poses are compared at half resolution
-constexpr int kLaterIterations = 4;   // of a round after the first at the finest level
-constexpr double kLeastIntensityNoise = 0.005;
-constexpr double kModelError = 0.15; // pixels that rigid segments leave unexplained
-constexpr double kRelativeDepthNoise = 0.003; // of inverse depth, beside the noise
-constexpr CorrelationAreas kUnmeasured{20.0, 200.0}; // before anything is measured
-constexpr double kSeparation = 0.2; // mean cost that leaving all neighbours costs in
-                                    // a window; see AssignmentRules
-constexpr double kCertain = 1e9;    // prior of AssignmentRules, with a known background
-constexpr double kToleranceShare = 0.1; // a pair alone changes a sum of pairs little
-constexpr double kStartShare = 0.5;     // of the work
+constexpr double kCertain = 1e9; // prior of AssignmentTuning, with a known background
+constexpr double kStartShare = 0.5; // of the work
 
 /** Pairs that take part: all, or those with the reference and those of frames near each
  * other. */
@@ -61,7 +49,8 @@ WindowSolve::WindowSolve (const std::vector<RgbdFrame>& frames,
                           const Oversegmentation& segments,
                           const EnergyParameters& energy,
                           const SolverParameters& solver,
-                          const MultiframeParameters& multiframe)
+                          const MultiframeParameters& multiframe,
+                          const Tuning& tuning)
 : frames_ (frames)
 , pairs_ (static_cast<int> (frames.size()), reference)
 , segments_ (segments)
@@ -75,6 +64,7 @@ WindowSolve::WindowSolve (const std::vector<RgbdFrame>& frames,
          pairs_,
          segments.size(),
          threadCount (solver.threads),
+         tuning,
          usedPairs (pairs_, multiframe.max_span)}
 , pair_start_ (scene_, energy_, solver_)
 {}
@@ -103,20 +93,26 @@ WindowSolve::pairSchedule (int finest_level) const
 {
   std::vector<Round> rounds;
   const int finest = std::min (finest_level, levels_ - 1);
-  for (int level = std::min (kCoarsestLevel, levels_ - 1); level >= finest; --level) {
+  for (int level = std::min (scene_.tuning.solve.coarsest_level, levels_ - 1);
+       level >= finest;
+       --level) {
     const double begin = level == 0 ? 0.5 : 0.5 - 0.15 * level;
     Round round{
         "solve", level, begin, begin + (level == 0 ? 0.3 : 0.15), user_.max_iterations};
-    round.propose = round.merge = level < kCoarsestLevel;
+    round.propose = round.merge = level < scene_.tuning.solve.coarsest_level;
     rounds.push_back (round);
-    if (level == kCoarsestLevel)
+    if (level == scene_.tuning.solve.coarsest_level)
       addSpreads (rounds);
   }
   if (finest > 0)
     return rounds;
   if (user_.merge_bodies) {
     rounds.push_back (
-        {"bodies", 0, 0.8, 1.0, std::min (user_.max_iterations, kLaterIterations)});
+        {"bodies",
+         0,
+         0.8,
+         1.0,
+         std::min (user_.max_iterations, scene_.tuning.solve.later_iterations)});
     rounds.back().anew = false;
     rounds.back().sharpen = true;
   }
@@ -127,17 +123,18 @@ WindowSolve::pairSchedule (int finest_level) const
 /** At the coarsest level, segments that lie beyond the start's reach get their motions
  * from neighbours, step by step: as the end of a sheet that bends. */
 void
-WindowSolve::addSpreads (std::vector<Round>& rounds)
+WindowSolve::addSpreads (std::vector<Round>& rounds) const
 {
-  const double share = (rounds.back().end - rounds.back().begin) / (1 + kSpreads);
+  const int spreads = scene_.tuning.solve.spreads;
+  const double share = (rounds.back().end - rounds.back().begin) / (1 + spreads);
   rounds.back().end = rounds.back().begin + share;
-  for (int i = 0; i < kSpreads; ++i) {
+  for (int i = 0; i < spreads; ++i) {
     Round again = rounds.back();
     again.begin += share;
     again.end += share;
     again.anew = false;
     again.spread = true;
-    again.measure = i + 1 == kSpreads;
+    again.measure = i + 1 == spreads;
     rounds.push_back (again);
   }
 }
@@ -147,7 +144,7 @@ WindowSolve::addSpreads (std::vector<Round>& rounds)
 std::vector<WindowSolve::Round>
 WindowSolve::windowSchedule() const
 {
-  const int few = std::min (user_.max_iterations, kLaterIterations);
+  const int few = std::min (user_.max_iterations, scene_.tuning.solve.later_iterations);
   const double third = (1.0 - kStartShare) / 3.0;
   std::vector<Round> rounds;
   for (int i = 0; i < 3; ++i) {
@@ -196,8 +193,12 @@ WindowSolve::solve (const RigidPose& guess,
 void
 WindowSolve::measureNoise()
 {
-  scene_.noise = {
-      kLeastIntensityNoise, kModelError, 0.0, kRelativeDepthNoise, kUnmeasured};
+  const NoiseTuning& tuning = scene_.tuning.solve.noise;
+  scene_.noise = {tuning.least_intensity,
+                  tuning.model_error,
+                  0.0,
+                  tuning.relative_depth,
+                  {tuning.brightness_area, tuning.icp_area}};
   for (const RgbdFrame& frame : frames_) {
     scene_.noise.intensity = std::max (scene_.noise.intensity, frame.intensityNoise());
     scene_.noise.inverse_depth =
@@ -210,7 +211,7 @@ WindowSolve::start (const RigidPose& guess, const std::vector<KnownStep>& known)
 {
   if (isPair()) {
     measureNoise();
-    const int at = std::min (kStartLevel, levels_ - 1);
+    const int at = std::min (scene_.tuning.solve.start_level, levels_ - 1);
     std::vector<RigidPose> poses =
         pair_start_.run (carryLabels (at)[pairs_.reference()], at, guess, given_start_);
     state_ = WindowState (
@@ -218,7 +219,7 @@ WindowSolve::start (const RigidPose& guess, const std::vector<KnownStep>& known)
     return;
   }
   share_ = kStartShare;
-  WindowStart start (frames_, pairs_, segments_, energy_, solver_);
+  WindowStart start (frames_, pairs_, segments_, energy_, solver_, scene_.tuning);
   start.run (guess, known);
   scene_.links = start.links();
   scene_.noise = start.noise();
@@ -268,7 +269,8 @@ WindowSolve::round (const Round& round)
   }
   if (!round.last)
     return;
-  if (followNeighbors (level_->terms(), scene_.links, state_) > 0)
+  if (followNeighbors (
+          level_->terms(), scene_.links, scene_.tuning.bodies.hidden, state_) > 0)
     level_->sweep (state_, DataTerm::Pass::Linearize);
   if (user_.merge_bodies)
     merge();
@@ -282,7 +284,7 @@ WindowSolve::minimize (int iterations)
   Energy energy (*level_, scene_, energy_, multiframe_.concatenation_weight, state_);
   SolverParameters solver = solver_;
   if (!isPair())
-    solver.function_tolerance *= kToleranceShare;
+    solver.function_tolerance *= scene_.tuning.solve.tolerance_share;
   solver.max_iterations = cancelled_ ? 0 : iterations;
   const SolveOutcome outcome = pcl_msf::minimize (energy, solver, monitor_, state_);
   report_.initial_cost = outcome.initial;
@@ -295,30 +297,38 @@ bool
 WindowSolve::spreadMotions()
 {
   const int jumps = pair_start_.proposeToLost (*level_, state_.poses[0]);
-  return jumps >= kEnoughJumps * scene_.segments;
+  return jumps >= scene_.tuning.solve.enough_jumps * scene_.segments;
 }
 
 /** What the residuals are worth, from those of the present bodies. */
 void
 WindowSolve::measureCorrelation (int level)
 {
-  scene_.noise.areas = measureCorrelationAreas (
-      level_->terms(), state_, level, scene_.noise.areas, scene_.threads);
+  scene_.noise.areas = measureCorrelationAreas (level_->terms(),
+                                                state_,
+                                                level,
+                                                scene_.noise.areas,
+                                                scene_.tuning.data.correlation,
+                                                scene_.threads);
   level_->reweigh();
 }
 
 void
 WindowSolve::merge()
 {
-  mergeBodies (level_->terms(), pairs_.frames(), scene_.links, {}, state_);
+  mergeBodies (level_->terms(),
+               pairs_.frames(),
+               scene_.links,
+               scene_.tuning.bodies.merging,
+               state_);
 }
 
 void
 WindowSolve::reassign()
 {
-  AssignmentRules rules;
+  AssignmentTuning rules = scene_.tuning.bodies.assignment;
   if (!isPair())
-    rules.separation = kSeparation;
+    rules.separation = rules.window_separation;
   if (multiframe_.static_background)
     rules.prior = kCertain;
   reassignBodies (level_->terms(), scene_.links, rules, scene_.threads, state_);

@@ -27,7 +27,8 @@ public:
                const Oversegmentation& segments,
                const EnergyParameters& energy,
                const SolverParameters& solver,
-               const MultiframeParameters& multiframe);
+               const MultiframeParameters& multiframe,
+               const Tuning& tuning);
 
   /** \param known motions that an earlier window found */
   MultiframeSceneFlow
@@ -88,8 +89,8 @@ private:
   }
   std::vector<Round>
   pairSchedule (int finest_level) const;
-  static void
-  addSpreads (std::vector<Round>& rounds);
+  void
+  addSpreads (std::vector<Round>& rounds) const;
   std::vector<Round>
   windowSchedule () const;
   void

@@ -40,12 +40,14 @@ WindowStart::WindowStart (const std::vector<RgbdFrame>& frames,
                           const FramePairs& pairs,
                           const Oversegmentation& segments,
                           const EnergyParameters& energy,
-                          const SolverParameters& solver)
+                          const SolverParameters& solver,
+                          const Tuning& tuning)
 : frames_ (frames)
 , pairs_ (pairs)
 , segments_ (segments)
 , energy_ (energy)
 , solver_ (solver)
+, tuning_ (tuning)
 , clock_ (solver_)
 , labels_ (frames.size())
 , steps_ (pairs.count())
@@ -100,7 +102,7 @@ WindowStart::solveStep (int from, int to, const RigidPose& guess)
   if (solver.max_seconds > 0.0) // what is left; 0 would be no limit
     solver.max_seconds = std::max (1e-6, clock_.secondsLeft());
   const std::vector<RgbdFrame> pair{frames_[from], frames_[to]};
-  WindowSolve solve (pair, 0, carried, energy_, solver, {});
+  WindowSolve solve (pair, 0, carried, energy_, solver, {}, tuning_);
   solve.solve (guess, kFinestLevel);
   const MotionState found = solve.state().ofPair (0);
   for (std::size_t i = 0; i < seen.size(); ++i) {
@@ -186,6 +188,7 @@ WindowStart::centroids() const
   const FrameLevel& level = frames_[pairs_.reference()].levels()[0];
   PointOptions options;
   options.max_per_segment = kCentroidSamples;
+  options.tuning = tuning_.segments.pixels;
   return groupPixels (level, segments_.labels(), segments_.size(), options).centroid;
 }
 
@@ -206,7 +209,8 @@ WindowStart::compose (int from, int to)
                              segments_.labels(),
                              motionTo (to),
                              frames_[to].levels()[0],
-                             noise_);
+                             noise_,
+                             tuning_.window.carrier);
 }
 
 /** Segments on their own: what moved together from frame to frame may part over the

@@ -31,7 +31,8 @@ public:
                const FramePairs& pairs,
                const Oversegmentation& segments,
                const EnergyParameters& energy,
-               const SolverParameters& solver);
+               const SolverParameters& solver,
+               const Tuning& tuning);
 
   /** \param guess of the first solve from the reference
    * \param known steps that need no solve */
@@ -89,6 +90,7 @@ private:
   const Oversegmentation& segments_;
   const EnergyParameters& energy_;
   const SolverParameters& solver_;
+  const Tuning& tuning_;
   const SolveMonitor clock_;                     ///< of the time budget
   std::vector<cv::Mat> labels_;                  ///< per frame
   std::vector<Step> steps_;                      ///< per pair; adjacent ones filled

@@ -15,38 +15,29 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kFeatures = 1500;   // strongest ones of a frame
-constexpr float kDistinct = 0.8f; // distance of the best match by that of the second
-constexpr int kGroup = 6;         // matches of a fit: a match and those nearest to it
-constexpr int kMostGroups = 400;
-constexpr int kLeastSupport = 15;   // matches of a motion
-constexpr std::size_t kEnough = 60; // matches that may contradict the flow
-constexpr int kMostMotions = 8;
-constexpr double kAgree = 3.0; // pixels
-
 struct Features {
   std::vector<cv::KeyPoint> places;
   cv::Mat descriptors;
 };
 
 Features
-detect (const cv::Mat& gray)
+detect (const cv::Mat& gray, int most)
 {
   Features features;
-  cv::SIFT::create (kFeatures)->detectAndCompute (
+  cv::SIFT::create (most)->detectAndCompute (
       gray, cv::noArray(), features.places, features.descriptors);
   return features;
 }
 
 /** Per feature, its clear match in the other frame, or -1. */
 std::vector<int>
-distinctMatches (const cv::Mat& from, const cv::Mat& to)
+distinctMatches (const cv::Mat& from, const cv::Mat& to, float distinct)
 {
   std::vector<int> best (from.rows, -1);
   std::vector<std::vector<cv::DMatch>> found;
   cv::BFMatcher (cv::NORM_L2).knnMatch (from, to, found, 2);
   for (const auto& m : found)
-    if (m.size() == 2 && m[0].distance < kDistinct * m[1].distance)
+    if (m.size() == 2 && m[0].distance < distinct * m[1].distance)
       best[m[0].queryIdx] = m[0].trainIdx;
   return best;
 }
@@ -70,18 +61,18 @@ squaredDistance (const FlowSample& a, const FlowSample& b)
 
 /** A match and those nearest to it. */
 std::vector<FlowSample>
-group (const std::vector<FlowSample>& matches, int center)
+group (const std::vector<FlowSample>& matches, int center, int size)
 {
   std::vector<int> order (matches.size());
   std::iota (order.begin(), order.end(), 0);
   std::partial_sort (
-      order.begin(), order.begin() + kGroup, order.end(), [&] (int a, int b) {
+      order.begin(), order.begin() + size, order.end(), [&] (int a, int b) {
         const float da = squaredDistance (matches[a], matches[center]);
         const float db = squaredDistance (matches[b], matches[center]);
         return da < db || (da == db && a < b);
       });
   std::vector<FlowSample> result;
-  for (int i = 0; i < kGroup; ++i)
+  for (int i = 0; i < size; ++i)
     result.push_back (matches[order[i]]);
   return result;
 }
@@ -89,19 +80,22 @@ group (const std::vector<FlowSample>& matches, int center)
 } // namespace
 
 std::vector<FlowSample>
-matchFeatures (const RgbdFrame& reference, const RgbdFrame& current, int threads)
+matchFeatures (const RgbdFrame& reference,
+               const RgbdFrame& current,
+               const FarMotionTuning& tuning,
+               int threads)
 {
   Features first;
   Features second;
   std::vector<int> forth;
   std::vector<int> back;
   withThreads (threads, [&] {
-    first = detect (reference.gray());
-    second = detect (current.gray());
+    first = detect (reference.gray(), tuning.features);
+    second = detect (current.gray(), tuning.features);
     if (first.descriptors.rows < 2 || second.descriptors.rows < 2)
       return;
-    forth = distinctMatches (first.descriptors, second.descriptors);
-    back = distinctMatches (second.descriptors, first.descriptors);
+    forth = distinctMatches (first.descriptors, second.descriptors, tuning.distinct);
+    back = distinctMatches (second.descriptors, first.descriptors, tuning.distinct);
   });
   const PinholeCamera& k = reference.camera();
   std::vector<FlowSample> matches;
@@ -128,37 +122,40 @@ std::vector<RigidPose>
 motionsOfMatches (const std::vector<FlowSample>& matches,
                   const RigidPose& start,
                   const RigidFitOptions& options,
+                  const FarMotionTuning& tuning,
                   int threads)
 {
   std::vector<RigidPose> motions;
   const int n = static_cast<int> (matches.size());
-  if (n < kLeastSupport)
+  if (n < tuning.min_matches)
     return motions;
-  const int groups = std::min (n, kMostGroups);
+  const int groups = std::min (n, tuning.most_groups);
+  const int size = std::min (n, tuning.group);
   std::vector<RigidPose> candidates (groups);
   parallelFor (threads, groups, 8, [&] (int g) {
     const auto own =
-        group (matches, static_cast<int> (static_cast<long> (g) * n / groups));
-    candidates[g] = fitRigidMotion (own.data(), kGroup, start, options);
+        group (matches, static_cast<int> (static_cast<long> (g) * n / groups), size);
+    candidates[g] = fitRigidMotion (own.data(), size, start, options);
   });
   std::vector<FlowSample> left = matches;
-  while (static_cast<int> (motions.size()) < kMostMotions &&
-         static_cast<int> (left.size()) >= kLeastSupport) {
+  while (static_cast<int> (motions.size()) < tuning.most_motions &&
+         static_cast<int> (left.size()) >= tuning.min_matches) {
     std::vector<double> errors (groups);
     const int count = static_cast<int> (left.size());
     parallelFor (threads, groups, 8, [&] (int g) {
       errors[g] =
-          meanTruncatedError (left.data(), count, candidates[g], options, kAgree);
+          meanTruncatedError (left.data(), count, candidates[g], options, tuning.agree);
     });
     const auto best = std::min_element (errors.begin(), errors.end()) - errors.begin();
     const auto agrees = [&] (const FlowSample& s, const RigidPose& pose) {
-      return meanTruncatedError (&s, 1, pose, options, kAgree) < 0.7 * kAgree;
+      return meanTruncatedError (&s, 1, pose, options, tuning.agree) <
+             tuning.explained * tuning.agree;
     };
     std::vector<FlowSample> support;
     for (const FlowSample& s : left)
       if (agrees (s, candidates[best]))
         support.push_back (s);
-    if (static_cast<int> (support.size()) < kLeastSupport)
+    if (static_cast<int> (support.size()) < tuning.min_matches)
       break;
     const RigidPose pose = fitRigidMotion (
         support.data(), static_cast<int> (support.size()), candidates[best], options);
@@ -180,9 +177,11 @@ findFarMotions (const RgbdFrame& reference,
                 const CoarseFlow& flow,
                 const RigidPose& start,
                 const RigidFitOptions& options,
+                const FarMotionTuning& tuning,
                 int threads)
 {
-  const std::vector<FlowSample> matches = matchFeatures (reference, current, threads);
+  const std::vector<FlowSample> matches =
+      matchFeatures (reference, current, tuning, threads);
   const PinholeCamera& k = reference.camera();
   std::vector<FlowSample> missed;
   for (const FlowSample& m : matches) {
@@ -190,12 +189,13 @@ findFarMotions (const RgbdFrame& reference,
     const double y = k.fy * m.y / m.z + k.cy;
     const cv::Vec2f f = flow.at (std::clamp (cvRound (x), 0, reference.width() - 1),
                                  std::clamp (cvRound (y), 0, reference.height() - 1));
-    if (std::hypot (x + f[0] - m.u, y + f[1] - m.v) > kAgree)
+    if (std::hypot (x + f[0] - m.u, y + f[1] - m.v) > tuning.agree)
       missed.push_back (m);
   }
   FarMotions far;
-  far.motions = motionsOfMatches (missed, start, options, threads);
-  far.instead_of_flow = !far.motions.empty() && missed.size() >= kEnough &&
+  far.motions = motionsOfMatches (missed, start, options, tuning, threads);
+  far.instead_of_flow = !far.motions.empty() &&
+                        static_cast<int> (missed.size()) >= tuning.enough &&
                         2 * missed.size() > matches.size();
   return far;
 }

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/start_tuning.h"
 #include "core/motion/rigid_fit.h"
 #include "core/start/flow_hypotheses.h"
 #include <pcl_msf/rgbd_frame.h>
@@ -14,7 +15,10 @@ namespace pcl_msf {
  * lies: image features (SIFT) that are each other's best match and clearly better than
  * the second best. Only those with depth in the reference. */
 std::vector<FlowSample>
-matchFeatures (const RgbdFrame& reference, const RgbdFrame& current, int threads);
+matchFeatures (const RgbdFrame& reference,
+               const RgbdFrame& current,
+               const FarMotionTuning& tuning,
+               int threads);
 
 /** \brief Rigid motions that many matches agree on, the best supported first: fits to
  * each match with those nearest to it in space, of which the best is refined; then the
@@ -23,6 +27,7 @@ std::vector<RigidPose>
 motionsOfMatches (const std::vector<FlowSample>& matches,
                   const RigidPose& start,
                   const RigidFitOptions& options,
+                  const FarMotionTuning& tuning,
                   int threads);
 
 /** \brief Motions farther than optical flow reaches. */
@@ -38,6 +43,7 @@ findFarMotions (const RgbdFrame& reference,
                 const CoarseFlow& flow,
                 const RigidPose& start,
                 const RigidFitOptions& options,
+                const FarMotionTuning& tuning,
                 int threads);
 
 } // namespace pcl_msf

@@ -17,15 +17,7 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kMinSamples = 6;
-constexpr int kMaxBodies = 6;
-constexpr int kVoters = 4;             // samples per segment in the search for bodies
-constexpr double kVoteLimit = 3.0;     // pixels
-constexpr double kSmallestBody = 0.02; // share of all voters
-constexpr int kLeastFlowSide = 16;     // pixels: two patches
-constexpr int kQuarterWidth = 640;     // pixels: larger images are matched at a quarter
-constexpr int kQuarterHeight = 128;
-constexpr int kQuarterWidthOfDepth = 320; // likewise, of images of depth
+constexpr int kLeastFlowSide = 16; // pixels: two patches
 
 /** Samples of all segments; those of segment k are [begin[k], begin[k + 1]). */
 struct SampleTable {
@@ -66,12 +58,12 @@ lift (const CoarseFlow& flow,
 
 /** Every segment's vote: a few of its samples. */
 std::vector<FlowSample>
-drawVoters (const SampleTable& table)
+drawVoters (const SampleTable& table, int each)
 {
   std::vector<FlowSample> voters;
   for (std::size_t k = 0; k + 1 < table.begin.size(); ++k) {
     const int n = table.begin[k + 1] - table.begin[k];
-    const int take = std::min (n, kVoters);
+    const int take = std::min (n, each);
     for (int i = 0; i < take; ++i)
       voters.push_back (
           table.samples[table.begin[k] + static_cast<int> ((i + 0.5) * n / take)]);
@@ -83,16 +75,14 @@ RigidPose
 bestSupported (const std::vector<FlowSample>& voters,
                const std::vector<RigidPose>& candidates,
                const RigidFitOptions& options,
+               double limit,
                int threads)
 {
   std::vector<double> errors (candidates.size());
   const int n = static_cast<int> (candidates.size());
   parallelFor (threads, n, 8, [&] (int c) {
-    errors[c] = meanTruncatedError (voters.data(),
-                                    static_cast<int> (voters.size()),
-                                    candidates[c],
-                                    options,
-                                    kVoteLimit);
+    errors[c] = meanTruncatedError (
+        voters.data(), static_cast<int> (voters.size()), candidates[c], options, limit);
   });
   const auto best = std::min_element (errors.begin(), errors.end());
   return candidates[best - errors.begin()];
@@ -101,13 +91,14 @@ bestSupported (const std::vector<FlowSample>& voters,
 void
 dropExplained (const RigidPose& pose,
                const RigidFitOptions& options,
+               double limit,
                std::vector<FlowSample>& voters)
 {
   const int count = static_cast<int> (voters.size());
   const std::vector<float> errors = sampleErrors (voters.data(), count, pose, options);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < voters.size(); ++i)
-    if (!(errors[i] < 0.7 * kVoteLimit))
+    if (!(errors[i] < limit))
       voters[kept++] = voters[i];
   voters.resize (kept);
 }
@@ -118,19 +109,21 @@ std::vector<RigidPose>
 findBodies (const SampleTable& table,
             const std::vector<RigidPose>& candidates,
             const RigidFitOptions& options,
+            const FlowTuning& tuning,
             int threads)
 {
-  std::vector<FlowSample> voters = drawVoters (table);
+  std::vector<FlowSample> voters = drawVoters (table, tuning.voters);
   const std::size_t all = voters.size();
   std::vector<RigidPose> bodies;
-  while (static_cast<int> (bodies.size()) < kMaxBodies && !candidates.empty() &&
-         voters.size() > kSmallestBody * all) {
-    RigidPose pose = bestSupported (voters, candidates, options, threads);
+  while (static_cast<int> (bodies.size()) < tuning.max_bodies && !candidates.empty() &&
+         voters.size() > tuning.smallest_body * all) {
+    RigidPose pose =
+        bestSupported (voters, candidates, options, tuning.vote_limit, threads);
     pose =
         fitRigidMotion (voters.data(), static_cast<int> (voters.size()), pose, options);
     const std::size_t before = voters.size();
-    dropExplained (pose, options, voters);
-    if (before - voters.size() < kSmallestBody * all)
+    dropExplained (pose, options, tuning.explained * tuning.vote_limit, voters);
+    if (before - voters.size() < tuning.smallest_body * all)
       break;
     bodies.push_back (pose);
   }
@@ -142,7 +135,10 @@ findBodies (const SampleTable& table,
  * shorter than two of its patches, OpenCV chooses the pyramid by the width alone and
  * reads outside the image: the border is repeated up to there. */
 cv::Mat
-matchHalves (const cv::Mat& first, const cv::Mat& second, int quarters_from)
+matchHalves (const cv::Mat& first,
+             const cv::Mat& second,
+             int quarter_width,
+             int quarter_height)
 {
   const cv::Size half (std::max (1, first.cols / 2), std::max (1, first.rows / 2));
   const int right = std::max (0, kLeastFlowSide - half.width);
@@ -156,7 +152,7 @@ matchHalves (const cv::Mat& first, const cv::Mat& second, int quarters_from)
   }
   cv::Mat flow;
   const auto dis = cv::DISOpticalFlow::create (cv::DISOpticalFlow::PRESET_MEDIUM);
-  const bool large = first.cols >= quarters_from && first.rows >= kQuarterHeight;
+  const bool large = first.cols >= quarter_width && first.rows >= quarter_height;
   dis->setFinestScale (large ? 1 : 0);
   dis->calc (from, to, flow);
   return flow (cv::Rect ({0, 0}, half));
@@ -187,17 +183,24 @@ CoarseFlow::at (int x, int y) const
 }
 
 CoarseFlow
-estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current, int threads)
+estimateOpticalFlow (const RgbdFrame& reference,
+                     const RgbdFrame& current,
+                     const FlowTuning& tuning,
+                     int threads)
 {
   CoarseFlow result{{}, 1};
   withThreads (threads, [&] {
-    result.flow = matchHalves (reference.gray(), current.gray(), kQuarterWidth);
+    result.flow = matchHalves (
+        reference.gray(), current.gray(), tuning.quarter_width, tuning.quarter_height);
   });
   return result;
 }
 
 CoarseFlow
-estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current, int threads)
+estimateDepthFlow (const RgbdFrame& reference,
+                   const RgbdFrame& current,
+                   const FlowTuning& tuning,
+                   int threads)
 {
   const int level = std::min<int> ({1,
                                     static_cast<int> (reference.levels().size()) - 1,
@@ -213,7 +216,8 @@ estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current, int thr
   second.convertTo (gray_second, CV_8U, scale);
   CoarseFlow result{{}, level + 1};
   withThreads (threads, [&] {
-    result.flow = matchHalves (gray_first, gray_second, kQuarterWidthOfDepth);
+    result.flow = matchHalves (
+        gray_first, gray_second, tuning.quarter_depth_width, tuning.quarter_height);
   });
   return result;
 }
@@ -255,11 +259,14 @@ hypothesesFromFlow (const CoarseFlow& flow,
                     int level,
                     const NoiseModel& noise,
                     const RigidPose& start,
+                    const StartTuning& tuning,
                     int threads)
 {
   const SampleTable table = lift (flow, current, pixels, wanted, level);
-  const RigidFitOptions options{
-      current.camera(), 2.0 * noise.inverse_depth, 2.0 * noise.relative_depth, 0.5, 6};
+  const RigidFitOptions options{current.camera(),
+                                tuning.flow.noise * noise.inverse_depth,
+                                tuning.flow.noise * noise.relative_depth,
+                                tuning.fit};
   FlowHypotheses result;
   matchIntensities (flow, current, pixels, level, result);
   const int segments = pixels.segments();
@@ -267,7 +274,7 @@ hypothesesFromFlow (const CoarseFlow& flow,
   result.fitted.assign (segments, 0);
   parallelFor (threads, segments, 8, [&] (int k) {
     const int n = table.begin[k + 1] - table.begin[k];
-    if (n < kMinSamples)
+    if (n < tuning.flow.min_samples)
       return;
     result.of_segment[k] =
         fitRigidMotion (table.samples.data() + table.begin[k], n, start, options);
@@ -277,7 +284,7 @@ hypothesesFromFlow (const CoarseFlow& flow,
   for (int k = 0; k < segments; k += 2)
     if (result.fitted[k])
       candidates.push_back (result.of_segment[k]);
-  result.bodies = findBodies (table, candidates, options, threads);
+  result.bodies = findBodies (table, candidates, options, tuning.flow, threads);
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "core/base/tuning/start_tuning.h"
 #include "core/segments/segment_pixels.h"
 #include <pcl_msf/rgbd_frame.h>
 #include <pcl_msf/rigid_pose.h>
@@ -34,12 +35,18 @@ struct CoarseFlow {
 /** \brief Flow from the reference to the current frame at half resolution, by cv's DIS:
  * the finest that its medium preset computes. */
 CoarseFlow
-estimateOpticalFlow (const RgbdFrame& reference, const RgbdFrame& current, int threads);
+estimateOpticalFlow (const RgbdFrame& reference,
+                     const RgbdFrame& current,
+                     const FlowTuning& tuning,
+                     int threads);
 
 /** \brief The same on the images of inverse depth, at a quarter: follows thin and
  * textureless things in front of a background, and frames without colour. */
 CoarseFlow
-estimateDepthFlow (const RgbdFrame& reference, const RgbdFrame& current, int threads);
+estimateDepthFlow (const RgbdFrame& reference,
+                   const RgbdFrame& current,
+                   const FlowTuning& tuning,
+                   int threads);
 
 /** \brief Lifts optical flow by depth and fits rigid motions (robustly).
  * \param samples points of the reference at a level
@@ -54,6 +61,7 @@ hypothesesFromFlow (const CoarseFlow& flow,
                     int level,
                     const NoiseModel& noise,
                     const RigidPose& start,
+                    const StartTuning& tuning,
                     int threads);
 
 } // namespace pcl_msf

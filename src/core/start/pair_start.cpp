@@ -13,20 +13,14 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kFirstRounds = 4;      // of proposals
-constexpr int kLaterRounds = 2;      // likewise, between levels
-constexpr double kUnexplained = 0.4; // mean cost per residual after the first start
-constexpr double kLost = 0.7;        // share of segments then: features are matched
-
 RigidFitOptions
 fitOptions (const WindowScene& scene)
 {
   const NoiseModel& noise = scene.noise;
   return {scene.frames[scene.pairs[0].to].camera(),
-          2.0 * noise.inverse_depth,
-          2.0 * noise.relative_depth,
-          0.5,
-          6};
+          scene.tuning.start.flow.noise * noise.inverse_depth,
+          scene.tuning.start.flow.noise * noise.relative_depth,
+          scene.tuning.start.fit};
 }
 
 } // namespace
@@ -49,20 +43,33 @@ PairStart::run (const cv::Mat& labels,
 {
   const FrameLevel& reference = reference_.levels()[at];
   SegmentPixels points =
-      probePoints (reference, labels, scene_.segments, pointOptions (scene_, at));
+      probePoints (reference, labels, scene_, pointOptions (scene_, at));
   scene_.links = linkNearestCentroids (points.centroid, energy_.neighbors);
-  weighLinksBySurface (labels, reference, reference_.inverseDepthNoise(), scene_.links);
+  weighLinksBySurface (labels,
+                       reference,
+                       reference_.inverseDepthNoise(),
+                       scene_.tuning.segments,
+                       scene_.links);
   std::vector<char> wanted (scene_.segments, 1);
   const auto lift = [&] (const CoarseFlow& flow) {
-    return hypothesesFromFlow (
-        flow, current_, points, wanted, at, scene_.noise, guess, scene_.threads);
+    return hypothesesFromFlow (flow,
+                               current_,
+                               points,
+                               wanted,
+                               at,
+                               scene_.noise,
+                               guess,
+                               scene_.tuning.start,
+                               scene_.threads);
   };
   FlowHypotheses flow;
   CoarseFlow optical; // empty without intensity
   if (solver_.flow_proposals && reference_.hasIntensity()) {
-    optical = estimateOpticalFlow (reference_, current_, scene_.threads);
+    optical = estimateOpticalFlow (
+        reference_, current_, scene_.tuning.start.flow, scene_.threads);
     flow = lift (optical);
-    scene_.change = fitBrightnessChange (flow.pairs_reference, flow.pairs_current);
+    scene_.change = fitBrightnessChange (
+        flow.pairs_reference, flow.pairs_current, scene_.tuning.frame.brightness);
     for (float& intensity : points.intensity)
       intensity = scene_.change.gain * intensity + scene_.change.offset;
   }
@@ -71,19 +78,33 @@ PairStart::run (const cv::Mat& labels,
   std::vector<RigidPose> poses (scene_.segments, guess);
   common_ = {guess, RigidPose{}};
   const Texture texture (current_.levels()[at]);
-  const DataTerm probes (points, texture, makeRules (energy_, points), scene_.threads);
+  const DataTerm probes (points,
+                         texture,
+                         makeRules (energy_, points, scene_.tuning.data.missing),
+                         scene_.threads);
   const auto suggest = [&] (const FlowHypotheses& from) {
     common_.insert (common_.end(), from.bodies.begin(), from.bodies.end());
-    propose (probes, reference.camera.fx, from, kFirstRounds, {}, poses);
+    propose (probes,
+             reference.camera.fx,
+             from,
+             scene_.tuning.start.proposals.first_rounds,
+             {},
+             poses);
   };
   suggest (flow);
   wanted = unexplained (probes, poses);
   if (solver_.flow_proposals &&
       std::find (wanted.begin(), wanted.end(), 1) != wanted.end())
-    suggest (lift (estimateDepthFlow (reference_, current_, scene_.threads)));
-  if (!optical.flow.empty() && lostShare (probes, poses) > kLost) {
-    const FarMotions far = findFarMotions (
-        reference_, current_, optical, guess, fitOptions (scene_), scene_.threads);
+    suggest (lift (estimateDepthFlow (
+        reference_, current_, scene_.tuning.start.flow, scene_.threads)));
+  if (!optical.flow.empty() && lostShare (probes, poses) > scene_.tuning.start.lost) {
+    const FarMotions far = findFarMotions (reference_,
+                                           current_,
+                                           optical,
+                                           guess,
+                                           fitOptions (scene_),
+                                           scene_.tuning.start.far_motion,
+                                           scene_.threads);
     if (far.instead_of_flow) {
       compareExposure (far.motions.front(), at, points);
       poses.assign (scene_.segments, guess);
@@ -101,7 +122,12 @@ PairStart::run (const cv::Mat& labels,
 void
 PairStart::proposeAgain (const WindowLevel& level, std::vector<RigidPose>& poses) const
 {
-  propose (level.probes (0), level.focalLength(), {}, kLaterRounds, {}, poses);
+  propose (level.probes (0),
+           level.focalLength(),
+           {},
+           scene_.tuning.start.proposals.later_rounds,
+           {},
+           poses);
 }
 
 int
@@ -110,7 +136,7 @@ PairStart::proposeToLost (const WindowLevel& level, std::vector<RigidPose>& pose
   return propose (level.probes (0),
                   level.focalLength(),
                   {},
-                  kLaterRounds,
+                  scene_.tuning.start.proposals.later_rounds,
                   unexplained (level.probes (0), poses),
                   poses);
 }
@@ -124,7 +150,12 @@ PairStart::propose (const DataTerm& probes,
                     std::vector<char> moving,
                     std::vector<RigidPose>& poses) const
 {
-  PoseProposals proposals (probes, scene_.links, energy_, focal_length, scene_.threads);
+  PoseProposals proposals (probes,
+                           scene_.links,
+                           energy_,
+                           focal_length,
+                           scene_.tuning.start.proposals,
+                           scene_.threads);
   for (const RigidPose& pose : common_)
     proposals.addCommon (pose);
   for (std::size_t k = 0; k < flow.fitted.size(); ++k)
@@ -157,12 +188,13 @@ PairStart::compareExposure (const RigidPose& pose, int at, SegmentPixels& points
     const int v = cvRound (level.camera.fy * q.y() / q.z() + level.camera.cy);
     if (u < 0 || v < 0 || u >= level.width() || v >= level.height())
       continue;
-    if (std::abs (level.inverse_depth.at<float> (v, u) * q.z() - 1.0) > 0.05)
+    if (std::abs (level.inverse_depth.at<float> (v, u) * q.z() - 1.0) >
+        scene_.tuning.start.same_depth)
       continue;
     from.push_back (points.intensity[i]);
     to.push_back (level.intensity.at<float> (v, u));
   }
-  scene_.change = fitBrightnessChange (from, to);
+  scene_.change = fitBrightnessChange (from, to, scene_.tuning.frame.brightness);
   for (float& intensity : points.intensity)
     intensity = scene_.change.gain * intensity + scene_.change.offset;
 }
@@ -184,7 +216,7 @@ PairStart::unexplained (const DataTerm& probes,
   for (int k = 0; k < scene_.segments; ++k) {
     const DataTerm::Probe probe = probes.probe (k, poses[k]);
     result[k] = probe.cost + probe.hidden * probe.weight * probes.unsupportedCost() >
-                kUnexplained * probe.weight;
+                scene_.tuning.start.unexplained * probe.weight;
   }
   return result;
 }

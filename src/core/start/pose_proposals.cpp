@@ -9,24 +9,17 @@
 
 namespace pcl_msf {
 
-namespace {
-
-constexpr double kOwnWay = 0.05;      // mean cost that a motion of one's own must save
-constexpr double kRough = 0.2;        // of what links cost, as poses are rough yet
-constexpr double kMostlyHidden = 0.5; // share of residuals
-constexpr double kClearlyBetter = 0.995; // a change must lower the cost by this factor
-
-} // namespace
-
 PoseProposals::PoseProposals (const DataTerm& probes,
                               const std::vector<SegmentLink>& links,
                               const EnergyParameters& energy,
                               double focal_length,
+                              const ProposalTuning& tuning,
                               int threads)
 : probes_ (probes)
 , links_ (links)
 , energy_ (energy)
 , focal_length_ (focal_length)
+, tuning_ (tuning)
 , threads_ (threads)
 {
   const int segments = probes.pixels().segments();
@@ -61,7 +54,7 @@ PoseProposals::cost (int segment, const RigidPose& pose) const
   double support = 0.0; // the strongest connection to a neighbour that is seen
   for (const Neighbor& n : neighbors_[segment]) {
     const double m = misfit (n.link, own, present_[n.segment]);
-    sum += 0.5 * kRough * m * eta / ((m + eta) * links_.size());
+    sum += 0.5 * tuning_.rough * m * eta / ((m + eta) * links_.size());
     if (seen_[n.segment])
       support = std::max (support, eta / (m + eta));
   }
@@ -76,7 +69,7 @@ PoseProposals::lookWhoIsSeen (const std::vector<RigidPose>& poses)
   present_ = std::vector<UnpackedPose> (poses.begin(), poses.end());
   seen_.assign (segments, 0);
   parallelFor (threads_, segments, 8, [&] (int k) {
-    seen_[k] = probes_.probe (k, poses[k]).hidden < kMostlyHidden;
+    seen_[k] = probes_.probe (k, poses[k]).hidden < tuning_.mostly_hidden;
   });
 }
 
@@ -86,9 +79,9 @@ PoseProposals::improve (int segment,
                         bool first,
                         RigidPose& pose) const
 {
-  double best = kClearlyBetter * cost (segment, pose);
+  double best = tuning_.clearly_better * cost (segment, pose);
   bool changed = false;
-  const double alone = kOwnWay * probes_.totalWeight (segment);
+  const double alone = tuning_.own_way * probes_.totalWeight (segment);
   std::vector<const RigidPose*> tried; // neighbours often share a motion
   const auto offer = [&] (const RigidPose& candidate, double extra) {
     const auto same = [&] (const RigidPose* other) {

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/start_tuning.h"
 #include "core/data/data_term.h"
 #include "core/motion/motion_state.h"
 #include <pcl_msf/parameters.h>
@@ -26,6 +27,7 @@ public:
                  const std::vector<SegmentLink>& links,
                  const EnergyParameters& energy,
                  double focal_length,
+                 const ProposalTuning& tuning,
                  int threads);
 
   void
@@ -73,6 +75,7 @@ private:
   const std::vector<SegmentLink>& links_;
   const EnergyParameters& energy_;
   const double focal_length_;
+  const ProposalTuning& tuning_;
   const int threads_;
   std::vector<std::vector<Neighbor>> neighbors_;
   std::vector<std::vector<RigidPose>> own_;

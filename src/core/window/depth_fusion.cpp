@@ -10,9 +10,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr float kSigmas = 3.0f;        // beyond which a witness sees something else
-constexpr float kModelShare = 0.0005f; // of the inverse depth: poses, interpolation
-
 struct Turn {
   Eigen::Matrix3f rotation;
   Eigen::Vector3f translation;
@@ -84,6 +81,7 @@ fuseInverseDepth (const FrameLevel& reference,
                   const cv::Mat& labels,
                   const std::vector<DepthWitness>& witnesses,
                   const NoiseModel& noise,
+                  const FusionTuning& tuning,
                   int threads)
 {
   std::vector<std::vector<Turn>> turns;
@@ -101,14 +99,17 @@ fuseInverseDepth (const FrameLevel& reference,
       const Eigen::Vector3f ray (static_cast<float> ((x - camera.cx) / camera.fx),
                                  static_cast<float> ((y - camera.cy) / camera.fy),
                                  1.0f);
-      const float model = kModelShare * w;
+      const float model = tuning.model_share * w;
       const float trust = sigma * sigma / (sigma * sigma + model * model);
       float weights = 1.0f;
       float sum = 0.0f;
       for (std::size_t i = 0; i < witnesses.size(); ++i) {
         const Turn& turn = turns[i][witnesses[i].motion.body_of[k]];
-        const float change = correction (
-            *witnesses[i].level, turn, ray, w, kSigmas * std::hypot (sigma, sigma));
+        const float change = correction (*witnesses[i].level,
+                                         turn,
+                                         ray,
+                                         w,
+                                         tuning.sigmas * std::hypot (sigma, sigma));
         if (!std::isfinite (change))
           continue;
         weights += trust;

@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "core/base/tuning/window_tuning.h"
 #include "core/motion/motion_state.h"
 #include "core/segments/segment_pixels.h"
 #include <pcl_msf/rgbd_frame.h>
@@ -32,6 +33,7 @@ fuseInverseDepth (const FrameLevel& reference,
                   const cv::Mat& labels,
                   const std::vector<DepthWitness>& witnesses,
                   const NoiseModel& noise,
+                  const FusionTuning& tuning,
                   int threads);
 
 } // namespace pcl_msf

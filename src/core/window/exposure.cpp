@@ -9,10 +9,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kRounds = 3;
-constexpr double kInlier = 0.02;       // intensity units
-constexpr double kLeastEvidence = 0.1; // holds the falloff at zero where little tells
-
 /** Bilinear; NaN outside the image. */
 float
 sample (const cv::Mat& image, double x, double y)
@@ -76,11 +72,12 @@ matchIntensities (const SegmentPixels& points,
 
 double
 fitFalloff (const std::vector<MatchedIntensities>& matches,
-            const std::vector<BrightnessChange>& exposure)
+            const std::vector<BrightnessChange>& exposure,
+            const FalloffTuning& tuning)
 {
   double falloff = 0.0;
-  for (int round = 0; round < kRounds; ++round) {
-    double xx = kLeastEvidence;
+  for (int round = 0; round < tuning.rounds; ++round) {
+    double xx = tuning.least_evidence;
     double xy = 0.0;
     for (std::size_t f = 0; f < matches.size(); ++f) {
       const MatchedIntensities& m = matches[f];
@@ -89,7 +86,7 @@ fitFalloff (const std::vector<MatchedIntensities>& matches,
         const double x = expected * (m.current_radius2[i] - m.reference_radius2[i]);
         const double y = m.current[i] - expected;
         const double misfit = std::abs (y - falloff * x);
-        const double weight = misfit < kInlier ? 1.0 : kInlier / misfit;
+        const double weight = misfit < tuning.inlier ? 1.0 : tuning.inlier / misfit;
         xx += weight * x * x;
         xy += weight * x * y;
       }

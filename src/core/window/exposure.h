@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/window_tuning.h"
 #include "core/frame/brightness_change.h"
 #include "core/motion/motion_state.h"
 #include "core/segments/segment_pixels.h"
@@ -34,7 +35,8 @@ matchIntensities (const SegmentPixels& points,
  * \param matches per frame \param exposure per frame */
 double
 fitFalloff (const std::vector<MatchedIntensities>& matches,
-            const std::vector<BrightnessChange>& exposure);
+            const std::vector<BrightnessChange>& exposure,
+            const FalloffTuning& tuning);
 
 /** \brief A level's intensity as the reference's exposure would have it, without
  * falloff. CV_32FC1; empty without intensity. */

@@ -9,10 +9,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr double kRelativeTolerance = 0.01; // share of the inverse depth
-constexpr double kSigmas = 5.0;
-constexpr int kGapRounds = 2;
-
 struct ZBuffer {
   cv::Mat inverse_depth; ///< CV_32FC1, 0 = nothing landed
   cv::Mat label;         ///< CV_32SC1
@@ -70,28 +66,34 @@ splat (const FrameLevel& reference,
 
 /** Inverse depth that may lie between two points of one surface, a pixel apart. */
 float
-tolerance (float w, const NoiseModel& noise)
+tolerance (float w, const NoiseModel& noise, const CarrierTuning& tuning)
 {
-  return static_cast<float> (kSigmas * noise.inverse_depth) +
-         static_cast<float> (kRelativeTolerance) * w;
+  return static_cast<float> (tuning.sigmas * noise.inverse_depth) +
+         static_cast<float> (tuning.relative_tolerance) * w;
 }
 
 /** Removes labels that do not lie on the frame's own surface. */
 void
-keepWhatIsSeen (const FrameLevel& frame, const NoiseModel& noise, ZBuffer& buffer)
+keepWhatIsSeen (const FrameLevel& frame,
+                const NoiseModel& noise,
+                const CarrierTuning& tuning,
+                ZBuffer& buffer)
 {
   for (int y = 0; y < buffer.label.rows; ++y)
     for (int x = 0; x < buffer.label.cols; ++x) {
       const float w = frame.inverse_depth.at<float> (y, x);
       const float carried = buffer.inverse_depth.at<float> (y, x);
-      if (w <= 0.0f || std::abs (carried - w) > tolerance (w, noise))
+      if (w <= 0.0f || std::abs (carried - w) > tolerance (w, noise, tuning))
         buffer.label.at<int> (y, x) = -1;
     }
 }
 
 /** Unlabelled pixels take the label beside them whose surface continues there. */
 cv::Mat
-closeGaps (const FrameLevel& frame, const NoiseModel& noise, const cv::Mat& labels)
+closeGaps (const FrameLevel& frame,
+           const NoiseModel& noise,
+           const CarrierTuning& tuning,
+           const cv::Mat& labels)
 {
   cv::Mat result = labels.clone();
   for (int y = 0; y < labels.rows; ++y)
@@ -101,7 +103,7 @@ closeGaps (const FrameLevel& frame, const NoiseModel& noise, const cv::Mat& labe
         continue;
       int votes = 0;
       int found = -1;
-      float best = tolerance (w, noise);
+      float best = tolerance (w, noise, tuning);
       for (const auto& [dx, dy] :
            {std::pair{-1, 0}, std::pair{1, 0}, std::pair{0, -1}, std::pair{0, 1}}) {
         const int u = x + dx;
@@ -129,12 +131,13 @@ carryLabels (const FrameLevel& reference,
              const cv::Mat& labels,
              const MotionState& motion,
              const FrameLevel& frame,
-             const NoiseModel& noise)
+             const NoiseModel& noise,
+             const CarrierTuning& tuning)
 {
   ZBuffer buffer = splat (reference, labels, motion, frame);
-  keepWhatIsSeen (frame, noise, buffer);
-  for (int round = 0; round < kGapRounds; ++round)
-    buffer.label = closeGaps (frame, noise, buffer.label);
+  keepWhatIsSeen (frame, noise, tuning, buffer);
+  for (int round = 0; round < tuning.gap_rounds; ++round)
+    buffer.label = closeGaps (frame, noise, tuning, buffer.label);
   return buffer.label;
 }
 

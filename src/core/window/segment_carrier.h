@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "core/base/tuning/window_tuning.h"
 #include "core/motion/motion_state.h"
 #include "core/segments/segment_pixels.h"
 #include <pcl_msf/rgbd_frame.h>
@@ -26,6 +27,7 @@ carryLabels (const FrameLevel& reference,
              const cv::Mat& labels,
              const MotionState& motion,
              const FrameLevel& frame,
-             const NoiseModel& noise);
+             const NoiseModel& noise,
+             const CarrierTuning& tuning);
 
 } // namespace pcl_msf

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "io/base/json.h"
 #include "io/base/output_file.h"
+#include "io/base/tuning_json.h"
 #include <pcl_msf/io/point_files.h>
 
 #include <cmath>
@@ -91,6 +92,7 @@ writeCloudReport (const std::string& path,
   json["cost"] = {{"initial", report.initial_cost.total()},
                   {"final", report.final_cost.total()}};
   json["parts"] = partsOf (flow);
+  addTuning (json);
   writeJson (path, json);
 }
 

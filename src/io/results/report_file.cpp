@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "io/base/json.h"
 #include "io/base/output_file.h"
+#include "io/base/tuning_json.h"
 #include <pcl_msf/io/result_files.h>
 
 #include <algorithm>
@@ -101,22 +102,22 @@ reportJson (const SceneFlow& flow,
             const LensDistortion& removed)
 {
   const Report& report = flow.report;
-  return jsonText (
-      {{"frames", frames},
-       {"width", flow.labels.cols},
-       {"height", flow.labels.rows},
-       {"camera", cameraOf (flow.camera, removed)},
-       {"segments", flow.segments.size()},
-       {"undetermined_segments", countStatus (flow, MotionStatus::Undetermined)},
-       {"bodies", flow.bodies},
-       {"iterations", report.iterations},
-       {"converged", report.converged},
-       {"stop_reason", toString (report.stop_reason)},
-       {"message", report.message},
-       {"seconds", secondsOf (report, seconds)},
-       {"cost", costOf (report.initial_cost, report.final_cost)},
-       {"history", historyOf (report.history)},
-       {"dominant_motion", rowsOf (flow.dominant_motion.matrix())}});
+  Json json{{"frames", frames},
+            {"width", flow.labels.cols},
+            {"height", flow.labels.rows},
+            {"segments", flow.segments.size()},
+            {"undetermined_segments", countStatus (flow, MotionStatus::Undetermined)},
+            {"bodies", flow.bodies},
+            {"iterations", report.iterations},
+            {"converged", report.converged},
+            {"stop_reason", toString (report.stop_reason)},
+            {"message", report.message},
+            {"seconds", secondsOf (report, seconds)},
+            {"cost", costOf (report.initial_cost, report.final_cost)},
+            {"history", historyOf (report.history)},
+            {"dominant_motion", rowsOf (flow.dominant_motion.matrix())}};
+  addTuning (json);
+  return jsonText (json);
 }
 
 void

@@ -21,8 +21,12 @@ reassignTiles (const test::TiledScene& scene,
                MotionState& state)
 {
   WindowState window (state);
-  const int changes = reassignBodies (
-      scene.terms (data), scene.links(), {kSeparation, 0.0, kRounds}, threads, window);
+  AssignmentTuning tuning;
+  tuning.separation = kSeparation;
+  tuning.prior = 0.0;
+  tuning.rounds = kRounds;
+  const int changes =
+      reassignBodies (scene.terms (data), scene.links(), tuning, threads, window);
   state = window.ofPair (0);
   return changes;
 }

@@ -14,7 +14,7 @@ namespace {
 using namespace pcl_msf;
 using Pass = DataTerm::Pass;
 
-constexpr MergeRules kRules{10.0, 0.05};
+constexpr MergeTuning kRules{10.0, 0.05};
 
 /** The bodies of a pair of frames after merging. \param data linearized at the state */
 MotionState

@@ -18,7 +18,7 @@ protected:
   taken (const MotionState& state, int segment, int body)
   {
     const DataTerm data = scene_.data();
-    return ClaimMap (data, state).takenShare (data, segment, body);
+    return ClaimMap (data, state, {}, 1).takenShare (data, segment, body);
   }
 
   /** The covered tile in a body of its own, which lands on a tile of the wall. */

@@ -163,7 +163,7 @@ TEST (WindowBodies, RigidBodiesAreWeighedByAllTheirPairs)
     const float before = pixels.brightness_scale[0];
     std::vector<PairTerms> terms = pairs.terms();
     terms.push_back (terms.back());
-    sharpenRigidBodies (terms, state, 1, pixels);
+    sharpenRigidBodies (terms, state, {}, 1, pixels);
     return pixels.brightness_scale[0] / before;
   };
   EXPECT_GT (sharpness (still), 2.0f);

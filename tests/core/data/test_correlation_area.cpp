@@ -64,10 +64,10 @@ measured (int depth_side, int bright_side, double strength = 1.0, int level = 0)
   EnergyParameters energy;
   energy.loss = LossType::L2;
   const Texture texture (current);
-  DataTerm data (pixels, texture, makeRules (energy, pixels), 1);
+  DataTerm data (pixels, texture, makeRules (energy, pixels, {}), 1);
   const WindowState state (MotionState::fromSegments ({RigidPose{}}, 0));
   return measureCorrelationAreas (
-      {{0, &data, &data, 1.0}}, state, level, {7.0, 9.0}, 2);
+      {{0, &data, &data, 1.0}}, state, level, {7.0, 9.0}, {}, 2);
 }
 
 TEST (CorrelationArea, WhiteNoiseAsModelledIsOnePixel)
@@ -113,10 +113,10 @@ TEST (CorrelationArea, StaysWhereNothingIsSeen)
   const SegmentPixels pixels = test::pointsOf (
       wall(), cv::Mat (kHeight, kWidth, CV_32SC1, cv::Scalar (0)), 1, {}, 0.05);
   const Texture texture (empty);
-  DataTerm data (pixels, texture, makeRules ({}, pixels), 1);
+  DataTerm data (pixels, texture, makeRules ({}, pixels, {}), 1);
   const WindowState state (MotionState::fromSegments ({RigidPose{}}, 0));
   const CorrelationAreas areas =
-      measureCorrelationAreas ({{0, &data, &data, 1.0}}, state, 0, {7.0, 9.0}, 1);
+      measureCorrelationAreas ({{0, &data, &data, 1.0}}, state, 0, {7.0, 9.0}, {}, 1);
   EXPECT_EQ (areas.brightness, 7.0);
   EXPECT_EQ (areas.icp, 9.0);
 }
@@ -125,10 +125,10 @@ TEST (CorrelationArea, WeighsTheTermsAndNotTheirRatioToProbes)
 {
   SegmentPixels pixels = test::pointsOf (
       wall(), cv::Mat (kHeight, kWidth, CV_32SC1, cv::Scalar (0)), 1, {}, 0.05);
-  const kernel::Rules before = makeRules ({}, pixels);
+  const kernel::Rules before = makeRules ({}, pixels, {});
   const double scale = residualScale ({}, pixels);
   pixels.areas = {10.0, 100.0};
-  const kernel::Rules after = makeRules ({}, pixels);
+  const kernel::Rules after = makeRules ({}, pixels, {});
   EXPECT_FLOAT_EQ (after.brightness_weight, before.brightness_weight / 10.0f);
   EXPECT_FLOAT_EQ (after.icp_weight, before.icp_weight / 100.0f);
   // Energy times the scale: half the squared deviations over independent residuals.

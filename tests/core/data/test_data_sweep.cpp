@@ -76,7 +76,7 @@ protected:
   sumsOf (const kernel::Kernel& kernel, int cut)
   {
     const kernel::Motion motion = turned (GetParam());
-    const kernel::Rules rules = makeRules ({}, pixels_);
+    const kernel::Rules rules = makeRules ({}, pixels_, {});
     const kernel::Correspondences state{offset_.data(), active_.data()};
     std::vector<double> all;
     kernel::Sums linear{};
@@ -159,7 +159,7 @@ TEST_P (Gradient, MatchesCentralDifferencesOfTheKeptCost)
   const SegmentPixels pixels =
       test::pointsOf (bumps (0.3), labels, 1, NoiseModel{}, 0.4);
   const Texture texture (bumps (0.9));
-  DataTerm data (pixels, texture, makeRules ({}, pixels), 1);
+  DataTerm data (pixels, texture, makeRules ({}, pixels, {}), 1);
   for (int trial = 0; trial < 10; ++trial) {
     const Eigen::Vector3d axis =
         Eigen::Vector3d (uniform (generator), uniform (generator), uniform (generator))
@@ -207,7 +207,7 @@ roomQuadratics (int threads, Pass last, std::vector<double>* probes)
     for (int x = 0; x < labels.cols; ++x)
       labels.at<int> (y, x) = y / 20 * 8 + x / 20;
   const SegmentPixels pixels = test::pointsOf (reference, labels, 48, {}, 0.01);
-  DataTerm data (pixels, texture, makeRules ({}, pixels), threads);
+  DataTerm data (pixels, texture, makeRules ({}, pixels, {}), threads);
   const MotionState state =
       MotionState::fromSegments (std::vector<RigidPose> (48, scene.motions[0]), 0);
   data.sweep (state, Pass::Linearize);

@@ -50,8 +50,8 @@ public:
     noise.relative_depth = 0.0;
     pixels_ = test::pointsOf (wall(), labels, 1, noise, 0.01);
     texture_ = std::make_unique<Texture> (current);
-    data_ =
-        std::make_unique<DataTerm> (pixels_, *texture_, makeRules (energy, pixels_), 1);
+    data_ = std::make_unique<DataTerm> (
+        pixels_, *texture_, makeRules (energy, pixels_, {}), 1);
   }
 
   const SegmentQuadratic&
@@ -162,7 +162,7 @@ TEST (DataTerm, TermsAreWeightedAndDividedByTheirCounts)
   SegmentPixels pixels;
   pixels.brightness_count = 6;
   pixels.icp_count = 4;
-  const kernel::Rules rules = makeRules (energy, pixels);
+  const kernel::Rules rules = makeRules (energy, pixels, {});
   EXPECT_FLOAT_EQ (rules.brightness_weight, 0.5f);
   EXPECT_FLOAT_EQ (rules.icp_weight, 0.125f);
 }

@@ -80,7 +80,7 @@ protected:
   EnergyParameters energy_;
   std::vector<RgbdFrame> frames_;
   FramePairs pairs_{2, 0};
-  WindowScene window_{frames_, pairs_, 3, 1, {0}};
+  WindowScene window_{frames_, pairs_, 3, 1, {}, {0}};
   std::unique_ptr<WindowLevel> level_;
   std::unique_ptr<Energy> joint_;
   WindowState state_;

@@ -12,7 +12,7 @@ namespace {
 
 using namespace pcl_msf;
 
-const RigidFitOptions kOptions{{500.0, 500.0, 320.0, 240.0}, 0.001, 0.001, 0.5, 20};
+const RigidFitOptions kOptions{{500.0, 500.0, 320.0, 240.0}, 0.001, 0.001, {0.5, 20}};
 
 struct Samples {
   std::vector<FlowSample> all;
@@ -91,7 +91,7 @@ TEST (RigidFitEdges, StartsFromTheGuess)
   const RigidPose motion = motionOf (0.05);
   const Samples s = seen (motion, 200, 0.0, generator);
   RigidFitOptions none = kOptions;
-  none.iterations = 0;
+  none.tuning.iterations = 0;
   EXPECT_LT (distance (fitRigidMotion (s.all.data(), 200, motion, none), motion, s),
              1e-9);
 }

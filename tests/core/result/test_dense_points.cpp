@@ -44,7 +44,7 @@ protected:
   slideAt (int column, bool blend = true)
   {
     const MotionState state = wall_.truth();
-    fillPoints (wall_.data (state), wall_.camera, blend, 1, scene_);
+    fillPoints (wall_.data (state), wall_.camera, blend, {}, 1, scene_);
     return scene_.displacement.at<cv::Vec3f> (10, column)[1] / kMetres;
   }
 
@@ -118,7 +118,7 @@ TEST_F (Blended, SameForAnyNumberOfThreads)
   slideAt (19);
   const cv::Mat one = scene_.displacement.clone();
   for (const int threads : {2, 5}) {
-    fillPoints (wall_.data (state), wall_.camera, true, threads, scene_);
+    fillPoints (wall_.data (state), wall_.camera, true, {}, threads, scene_);
     EXPECT_EQ (cv::norm (one, scene_.displacement, cv::NORM_INF), 0.0);
   }
 }
@@ -163,8 +163,8 @@ protected:
           pixels.x[i], pixels.y[i], pixels.z[i]};
     const RgbdFrame current = frame (shown_);
     const Texture texture (current.levels()[0]);
-    const DataTerm data (pixels, texture, makeRules ({}, pixels), 1);
-    fillVisibility (data, 1, scene_);
+    const DataTerm data (pixels, texture, makeRules ({}, pixels, {}), 1);
+    fillVisibility (data, {}, 1, scene_);
   }
 
   int

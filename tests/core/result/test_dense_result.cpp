@@ -40,7 +40,7 @@ public:
   {
     const double scale = 0.5 * (wall_.pixels.brightness_count + wall_.pixels.icp_count);
     SceneFlow scene;
-    fillSegments (wall_.data (state_), wall_.links, state_, scale, threads, scene);
+    fillSegments (wall_.data (state_), wall_.links, state_, scale, {}, threads, scene);
     return scene;
   }
 

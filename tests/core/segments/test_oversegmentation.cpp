@@ -169,7 +169,7 @@ TEST (ConnectedSegments, OneLabelIsSplitAtDepthEdges)
   const RgbdFrame frame = scene.frame (view);
   const cv::Mat one (scene.height, scene.width, CV_32SC1, cv::Scalar (0));
   const auto split = Oversegmentation::fromLabels (
-      connectSegments (one, frame.levels()[0], frame.inverseDepthNoise(), 50, 2),
+      connectSegments (one, frame.levels()[0], frame.inverseDepthNoise(), 50, {}, 2),
       frame);
   EXPECT_EQ (split.size(), 2);
   EXPECT_EQ (mixedSegments (split, view.body), 0);

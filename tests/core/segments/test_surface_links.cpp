@@ -52,7 +52,7 @@ TEST_F (SurfaceLinks, AStepHardlyBindsAndTheMeanIsOne)
   link (1, 2); // the step
   link (2, 3);
   link (0, 3); // they do not touch
-  weighLinksBySurface (labels_, level_, kNoise, links_);
+  weighLinksBySurface (labels_, level_, kNoise, {}, links_);
   EXPECT_DOUBLE_EQ (relative (2), 1.0);
   EXPECT_LT (relative (1), 0.1);
   EXPECT_GT (relative (1), 0.0);
@@ -69,7 +69,7 @@ TEST_F (SurfaceLinks, ABorderThatIsHalfAStepBindsHalf)
     level_.inverse_depth.row (y).colRange (20, 40).setTo (0.5f);
   link (0, 1);
   link (1, 2);
-  weighLinksBySurface (labels_, level_, kNoise, links_);
+  weighLinksBySurface (labels_, level_, kNoise, {}, links_);
   EXPECT_NEAR (relative (1), 0.5, 0.05);
 }
 
@@ -80,7 +80,7 @@ TEST_F (SurfaceLinks, ASlopeIsNoStep)
       level_.inverse_depth.at<float> (y, x) = 0.5f - 0.002f * static_cast<float> (x);
   link (0, 1);
   link (1, 2);
-  weighLinksBySurface (labels_, level_, kNoise, links_);
+  weighLinksBySurface (labels_, level_, kNoise, {}, links_);
   EXPECT_DOUBLE_EQ (relative (1), 1.0);
 }
 
@@ -91,7 +91,7 @@ TEST_F (SurfaceLinks, NoiseIsNoStep)
       level_.inverse_depth.at<float> (y, x) = 0.5f + ((x + y) % 2 ? 0.01f : -0.01f);
   link (0, 1);
   link (1, 2);
-  weighLinksBySurface (labels_, level_, 0.01, links_);
+  weighLinksBySurface (labels_, level_, 0.01, {}, links_);
   EXPECT_DOUBLE_EQ (links_[0].strength, 1.0);
   EXPECT_DOUBLE_EQ (relative (1), 1.0);
 }
@@ -101,14 +101,14 @@ TEST_F (SurfaceLinks, WithoutASurfaceInCommonAllCountTheSame)
   labels_.setTo (-1);
   link (0, 1);
   link (1, 2);
-  weighLinksBySurface (labels_, level_, kNoise, links_);
+  weighLinksBySurface (labels_, level_, kNoise, {}, links_);
   EXPECT_DOUBLE_EQ (links_[0].strength, 1.0);
   EXPECT_DOUBLE_EQ (links_[1].strength, 1.0);
 }
 
 TEST_F (SurfaceLinks, NoLinksAreFine)
 {
-  weighLinksBySurface (labels_, level_, kNoise, links_);
+  weighLinksBySurface (labels_, level_, kNoise, {}, links_);
   EXPECT_TRUE (links_.empty());
 }
 

@@ -16,7 +16,7 @@ namespace {
 using namespace pcl_msf;
 
 const PinholeCamera kCamera{300.0, 300.0, 159.5, 119.5};
-const RigidFitOptions kOptions{kCamera, 1e-3, 1e-3, 0.5, 6};
+const RigidFitOptions kOptions{kCamera, 1e-3, 1e-3, {}};
 
 /** A point and where it goes by a motion. */
 FlowSample
@@ -77,7 +77,7 @@ protected:
 TEST_F (MatchedMotions, AreFoundTheLargestFirstAmongWrongMatches)
 {
   addWrong (40);
-  const auto motions = motionsOfMatches (matches_, RigidPose{}, kOptions, 2);
+  const auto motions = motionsOfMatches (matches_, RigidPose{}, kOptions, {}, 2);
   ASSERT_EQ (motions.size(), 2U);
   expectNear (motions[0], first_, {-1.0, 0.0, 3.0});
   expectNear (motions[1], second_, {1.0, 0.0, 3.0});
@@ -87,16 +87,16 @@ TEST_F (MatchedMotions, WrongMatchesAgreeOnNothing)
 {
   matches_.clear();
   addWrong (100);
-  EXPECT_TRUE (motionsOfMatches (matches_, RigidPose{}, kOptions, 2).empty());
+  EXPECT_TRUE (motionsOfMatches (matches_, RigidPose{}, kOptions, {}, 2).empty());
   matches_.clear();
-  EXPECT_TRUE (motionsOfMatches (matches_, RigidPose{}, kOptions, 2).empty());
+  EXPECT_TRUE (motionsOfMatches (matches_, RigidPose{}, kOptions, {}, 2).empty());
 }
 
 TEST_F (MatchedMotions, DoNotDependOnThreads)
 {
   addWrong (40);
-  const auto one = motionsOfMatches (matches_, RigidPose{}, kOptions, 1);
-  const auto four = motionsOfMatches (matches_, RigidPose{}, kOptions, 4);
+  const auto one = motionsOfMatches (matches_, RigidPose{}, kOptions, {}, 1);
+  const auto four = motionsOfMatches (matches_, RigidPose{}, kOptions, {}, 4);
   ASSERT_EQ (one.size(), four.size());
   for (std::size_t i = 0; i < one.size(); ++i)
     EXPECT_EQ (one[i].parameters, four[i].parameters);
@@ -138,7 +138,7 @@ protected:
 TEST_F (FarWall, IsFoundWhereOpticalFlowFailed)
 {
   const FarMotions far =
-      findFarMotions (frameAt (0), frameAt (150), flowBy (0), {}, kOptions, 2);
+      findFarMotions (frameAt (0), frameAt (150), flowBy (0), {}, kOptions, {}, 2);
   EXPECT_TRUE (far.instead_of_flow);
   ASSERT_FALSE (far.motions.empty());
   const Eigen::Vector3d moved = far.motions[0] * Eigen::Vector3d (0.5, 0.0, 2.0);
@@ -149,7 +149,7 @@ TEST_F (FarWall, IsFoundWhereOpticalFlowFailed)
 TEST_F (FarWall, IsNothingNewWhereOpticalFlowIsRight)
 {
   const FarMotions far =
-      findFarMotions (frameAt (0), frameAt (150), flowBy (150), {}, kOptions, 2);
+      findFarMotions (frameAt (0), frameAt (150), flowBy (150), {}, kOptions, {}, 2);
   EXPECT_FALSE (far.instead_of_flow);
   EXPECT_TRUE (far.motions.empty());
 }
@@ -158,7 +158,7 @@ TEST_F (FarWall, IsNotFoundInAnImageWithoutFeatures)
 {
   picture_.setTo (90);
   const FarMotions far =
-      findFarMotions (frameAt (0), frameAt (150), flowBy (0), {}, kOptions, 2);
+      findFarMotions (frameAt (0), frameAt (150), flowBy (0), {}, kOptions, {}, 2);
   EXPECT_FALSE (far.instead_of_flow);
   EXPECT_TRUE (far.motions.empty());
 }

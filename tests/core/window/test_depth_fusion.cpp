@@ -65,9 +65,9 @@ TEST (DepthFusion, AveragesIndependentMeasurements)
   const cv::Mat labels = cv::Mat::zeros (kHeight, kWidth, CV_32SC1);
   const double before = rootMeanSquare (reference.inverse_depth);
   const cv::Mat two =
-      fuseInverseDepth (reference, labels, {{&second, aside()}}, noiseModel(), 2);
+      fuseInverseDepth (reference, labels, {{&second, aside()}}, noiseModel(), {}, 2);
   const cv::Mat three = fuseInverseDepth (
-      reference, labels, {{&second, aside()}, {&third, aside()}}, noiseModel(), 2);
+      reference, labels, {{&second, aside()}, {&third, aside()}}, noiseModel(), {}, 2);
   EXPECT_NEAR (before, kSigma, 0.1 * kSigma);
   EXPECT_LT (rootMeanSquare (two), 0.75 * before);   // 0.71 for independent ones
   EXPECT_LT (rootMeanSquare (three), 0.62 * before); // 0.58
@@ -79,7 +79,7 @@ TEST (DepthFusion, LeavesOutWhatIsAnotherSurface)
   const FrameLevel nearer = wall (kTruth + 0.1, 0.0, 2);
   const cv::Mat labels = cv::Mat::zeros (kHeight, kWidth, CV_32SC1);
   const cv::Mat fused =
-      fuseInverseDepth (reference, labels, {{&nearer, aside()}}, noiseModel(), 1);
+      fuseInverseDepth (reference, labels, {{&nearer, aside()}}, noiseModel(), {}, 1);
   EXPECT_EQ (rootMeanSquare (fused), 0.0);
 }
 
@@ -96,6 +96,7 @@ TEST (DepthFusion, MovesWithTheSurface)
                         labels,
                         {{&nearer, MotionState::fromSegments ({pose}, 0)}},
                         noiseModel(),
+                        {},
                         1);
   EXPECT_LT (rootMeanSquare (fused), 1e-6);
 }
@@ -108,7 +109,7 @@ TEST (DepthFusion, PointsWithoutLabelOrDepthStay)
   cv::Mat labels = cv::Mat::zeros (kHeight, kWidth, CV_32SC1);
   labels.at<int> (20, 30) = -1;
   const cv::Mat fused =
-      fuseInverseDepth (reference, labels, {{&second, aside()}}, noiseModel(), 1);
+      fuseInverseDepth (reference, labels, {{&second, aside()}}, noiseModel(), {}, 1);
   EXPECT_EQ (fused.at<float> (20, 20), 0.0F);
   EXPECT_EQ (fused.at<float> (20, 30), static_cast<float> (kTruth));
   EXPECT_NEAR (fused.at<float> (20, 25), kTruth + 0.002, 1e-4);
@@ -133,8 +134,8 @@ TEST (Falloff, IsFoundFromPointsThatMoveAcrossTheImage)
                                    static_cast<float> (color * (1 + kFalloff * after)) +
                                exposure.offset + normal (generator));
   }
-  EXPECT_NEAR (fitFalloff ({matches}, {exposure}), kFalloff, 0.05);
-  EXPECT_EQ (fitFalloff ({}, {}), 0.0);
+  EXPECT_NEAR (fitFalloff ({matches}, {exposure}, {}), kFalloff, 0.05);
+  EXPECT_EQ (fitFalloff ({}, {}, {}), 0.0);
 }
 
 TEST (Falloff, IsTakenOutWithTheExposure)

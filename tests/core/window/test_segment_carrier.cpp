@@ -28,7 +28,8 @@ TEST (SegmentCarrier, LabelsAreThoseOfTheMovedBodies)
                                       before.body,
                                       MotionState::fromSegments (scene.motions, 0),
                                       frame.levels()[0],
-                                      exact());
+                                      exact(),
+                                      {});
   int known = 0;
   int right = 0;
   int wrong_on_box = 0;
@@ -60,7 +61,8 @@ TEST (SegmentCarrier, UncoveredSurfacesBearNoLabel)
                                       before.body,
                                       MotionState::fromSegments (scene.motions, 0),
                                       frame.levels()[0],
-                                      exact());
+                                      exact(),
+                                      {});
   EXPECT_EQ (labels.at<int> (60, 80), -1) << "the wall that the plate hid";
   EXPECT_EQ (labels.at<int> (60, 130), 1) << "the plate";
   EXPECT_EQ (labels.at<int> (10, 10), 0) << "the wall";
@@ -79,7 +81,8 @@ TEST (SegmentCarrier, SurfacesThatAreNotThereBearNoLabel)
                                       before.body,
                                       MotionState::fromSegments ({nearer}, 0),
                                       reference.levels()[0],
-                                      exact());
+                                      exact(),
+                                      {});
   EXPECT_EQ (cv::countNonZero (labels >= 0), 0);
 }
 

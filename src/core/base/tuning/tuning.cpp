@@ -43,7 +43,15 @@ TunedValues
 tunedValues (Tuning& tuning)
 {
   TunedValues values;
+  listValues (tuning.frame, values);
   listValues (tuning.surface, values);
+  listValues (tuning.segments, values);
+  listValues (tuning.window, values);
+  listValues (tuning.data, values);
+  listValues (tuning.start, values);
+  listValues (tuning.bodies, values);
+  listValues (tuning.result, values);
+  listValues (tuning.solve, values);
   listValues (tuning.points, values);
   return values;
 }

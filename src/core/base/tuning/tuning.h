@@ -2,8 +2,16 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/body_tuning.h"
+#include "core/base/tuning/data_tuning.h"
+#include "core/base/tuning/frame_tuning.h"
 #include "core/base/tuning/point_tuning.h"
+#include "core/base/tuning/result_tuning.h"
+#include "core/base/tuning/segment_tuning.h"
+#include "core/base/tuning/solve_tuning.h"
+#include "core/base/tuning/start_tuning.h"
 #include "core/base/tuning/surface_tuning.h"
+#include "core/base/tuning/window_tuning.h"
 
 #include <string>
 #include <utility>
@@ -18,7 +26,15 @@ namespace pcl_msf {
  * what works well. An estimate takes a copy of currentTuning() when it begins and hands
  * each stage its own struct. */
 struct Tuning {
+  FrameTuning frame;
   SurfaceTuning surface;
+  SegmentTuning segments;
+  WindowTuning window;
+  DataTuning data;
+  StartTuning start;
+  BodyTuning bodies;
+  ResultTuning result;
+  SolveTuning solve;
   PointTuning points;
 };
 

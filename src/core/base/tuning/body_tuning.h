@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/base/tuning/tuned_value.h"
+
+namespace pcl_msf {
+
+// Values of the steps that form bodies. Costs are means per residual, a wrong match
+// costs some two.
+
+/** \brief How unequal two bodies' motions may be and still count as one: more makes
+ * fewer and larger bodies; see "Residuals count for what they are worth" in
+ * DECISIONS.md. */
+struct MergeTuning {
+  double allowance{10.0}; ///< increase allowed per merge, in halved squared deviations
+  double per_point{
+      0.08};      ///< further increase per independent point of the smaller body
+  int largest{6}; ///< bodies that every other one may join
+};
+
+/** \brief Which segment has been seen at a place; see "One place has one origin" in
+ * DECISIONS.md. */
+struct ClaimTuning {
+  int cell{3};             ///< pixels
+  int per_segment{128};    ///< points of a segment that count
+  float looks_alike{2.5f}; ///< standard deviations of the intensity
+};
+
+/** \brief How segments choose among bodies; see "Leaving the largest body costs odds"
+ * in DECISIONS.md. */
+struct AssignmentTuning {
+  double separation{0.25};       ///< cost of leaving all neighbours
+  double window_separation{0.2}; ///< the same in a window of more frames
+  double prior{25.0};     ///< natural logarithm of the odds that a segment belongs to
+                          ///< the largest body: what leaving it costs all of its
+                          ///< independent residuals together ...
+  double most_prior{0.5}; ///< ... and at the most the mean of them
+  int rounds{3};
+  int largest{6};            ///< bodies that every segment tries
+  double mostly_hidden{0.5}; ///< share of residuals: such a neighbour is no support
+  double border_share{0.5};  ///< of points that may land on a neighbour's place
+  ClaimTuning claims;
+};
+
+/** \brief Segments that follow others. */
+struct HiddenTuning {
+  double hidden{0.15}; ///< share of visible points: less says nothing
+  double seen{0.5};    ///< enough to lead others
+};
+
+struct BodyTuning {
+  MergeTuning merging;
+  AssignmentTuning assignment;
+  HiddenTuning hidden;
+};
+
+void
+listValues (BodyTuning& tuning, TunedValues& values);
+
+} // namespace pcl_msf

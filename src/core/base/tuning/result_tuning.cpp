@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/base/tuning/result_tuning.h"
+
+namespace pcl_msf {
+
+void
+listValues (ResultTuning& tuning, TunedValues& values)
+{
+  SoftTuning& soft = tuning.soft;
+  VisibilityTuning& visibility = tuning.visibility;
+  OutcomeTuning& outcome = tuning.outcome;
+  const TunedValues own{
+      {"result.status.seen_enough", &tuning.status.seen_enough, 0, 1},
+      {"result.status.rank_share", &tuning.status.rank_share, 0, 1},
+      {"result.status.connected", &tuning.status.connected, 0, 1},
+      {"result.blend.least_strength", &tuning.blend.least_strength, 0, 1},
+      {"result.blend.reach", &tuning.blend.reach, 0.01, 100},
+      {"result.soft.samples", &soft.samples, 1, 1e6},
+      {"result.soft.least_samples", &soft.least_samples, 1, 1e6},
+      {"result.soft.near", &soft.near, 0, 0.5},
+      {"result.soft.far", &soft.far, 0.5, 1},
+      {"result.soft.clear", &soft.clear, 0, 100},
+      {"result.groups.together", &tuning.groups.together, 0, 1},
+      {"result.groups.soft", &tuning.groups.soft, 0, 1},
+      {"result.groups.small_body", &tuning.groups.small_body, 0, 1e6},
+      {"result.visibility.most_widening", &visibility.most_widening, 1, 1000},
+      {"result.visibility.most_share", &visibility.most_share, 1e-4, 1},
+      {"result.visibility.surface", &visibility.surface, 0, 9},
+      {"result.outcome.few_points", &outcome.few_points, 0, 1e6},
+      {"result.outcome.few", &outcome.few, 0, 1},
+      {"result.outcome.hardly_any", &outcome.hardly_any, 0, 1},
+      {"result.outcome.mostly", &outcome.mostly, 0, 1},
+      {"result.outcome.no_surface", &outcome.no_surface, 0, 100},
+      {"result.outcome.least_contrast", &outcome.least_contrast, 0, 1},
+      {"result.outcome.significant", &outcome.significant, 0, 1000},
+      {"result.outcome.patches", &outcome.patches, 1, 1e6},
+      {"result.outcome.same_place", &outcome.same_place, -1, 1},
+      {"result.outcome.found", &outcome.found, 0, 1},
+      {"result.outcome.in_front", &outcome.in_front, 0, 1},
+      {"result.outcome.few_found", &outcome.few_found, 0, 1},
+      {"result.outcome.near", &outcome.near, 0, 1}};
+  values.insert (values.end(), own.begin(), own.end());
+}
+
+} // namespace pcl_msf

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/base/tuning/tuned_value.h"
+
+namespace pcl_msf {
+
+// Values of the oversegmentation, its links and its points. A "tolerance" is the
+// standard deviation by which a pixel may lie off its surface: the noise, and
+// plane_share.
+
+/** \brief Clusters of pixels on one plane. */
+struct ClusterTuning {
+  int iterations{4};           ///< at every second pixel, before the full one
+  float intensity_scale{8.0f}; ///< one over the difference that counts as one side of a
+                               ///< cluster
+  float plane_scale{0.25f};    ///< one over the tolerances off the plane that do: more
+                               ///< cuts along edges, less makes compact clusters
+  float plane_limit{9.0f};     ///< of the squared plane distance: robust
+  float outlier{8.0f};         ///< tolerances: farther does not move the plane
+};
+
+/** \brief What is one surface. */
+struct ConnectionTuning {
+  float stop{6.0f}; ///< tolerances off the tangent plane that end a surface
+  int rounds{3};    ///< of giving small parts away: some lie in the middle of others
+};
+
+/** \brief How strong links are; see "Links have a strength, by surface" in
+ * DECISIONS.md.
+ */
+struct LinkTuning {
+  float step{6.0f};   ///< tolerances between two pixels that end a surface
+  double apart{0.03}; ///< strength of segments that share no surface: more drags walls
+                      ///< along, less lets hidden segments drift
+};
+
+/** \brief A level's points. */
+struct PixelTuning {
+  int least_samples{2048};   ///< of all segments together, see "Samples have a least
+                             ///< number in all" in DECISIONS.md
+  float hidden_sigmas{5.0f}; ///< standard deviations of the inverse depth's noise that
+                             ///< the z-test forgives: more sees hidden points
+};
+
+struct SegmentTuning {
+  float plane_share{
+      0.002f}; ///< of the inverse depth, beside the noise: what is not plane
+  ClusterTuning clusters;
+  ConnectionTuning connections;
+  LinkTuning links;
+  PixelTuning pixels;
+};
+
+void
+listValues (SegmentTuning& tuning, TunedValues& values);
+
+} // namespace pcl_msf

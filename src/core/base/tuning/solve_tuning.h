@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/base/tuning/tuned_value.h"
+
+namespace pcl_msf {
+
+/** \brief What residuals are measured in before anything is measured; see "The model's
+ * own error is part of the noise" and "Residuals count for what they are worth" in
+ * DECISIONS.md. */
+struct NoiseTuning {
+  double least_intensity{0.005}; ///< standard deviation
+  double model_error{0.15};      ///< pixels that rigid segments leave unexplained: more
+                                 ///< lets large bodies swallow small motions
+  double relative_depth{0.003};  ///< of the inverse depth, beside the noise
+  double brightness_area{20.0}; ///< pixels of level 0 that one residual is worth, until
+  double icp_area{200.0};       ///< they are measured
+};
+
+/** \brief Values of the schedule. */
+struct SolveTuning {
+  NoiseTuning noise;
+  int coarsest_level{2}; ///< the first solve of two frames
+  int spreads{2};        ///< how often motions spread there from segment to segment;
+                         ///< see "Motions spread at the coarsest level" in
+                         ///< DECISIONS.md
+  double enough_jumps{0.05}; ///< of the segments, for another solve
+  int start_level{1};        ///< poses are compared at half resolution; less is slower
+  int later_iterations{4};   ///< of a round after the first at the finest level
+  double tolerance_share{0.1}; ///< of the user's tolerance, in a window: a pair alone
+                               ///< changes a sum of pairs little
+};
+
+void
+listValues (SolveTuning& tuning, TunedValues& values);
+
+} // namespace pcl_msf

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "core/base/tuning/tuned_value.h"
+
+namespace pcl_msf {
+
+// Values of the start of two frames. Costs are means per residual.
+
+/** \brief Rigid motions fitted to optical flow. */
+struct RigidFitTuning {
+  double smallest_scale{0.5}; ///< pixels: residuals below are inliers
+  int iterations{6};          ///< of reweighting
+  double rotation_prior{4.0}; ///< pixels per radian, per sample: holds noise down
+  float depth_scale{3.0f};    ///< standard deviations: a larger error counts less
+  float depth_weight{0.2f};   ///< pixels^2 per standard deviation^2
+};
+
+/** \brief Segments that jump. */
+struct ProposalTuning {
+  double own_way{0.05};         ///< cost that a motion of one's own must save
+  double rough{0.2};            ///< of what links cost, as poses are rough yet
+  double mostly_hidden{0.5};    ///< share of residuals: such a neighbour is no support
+  double clearly_better{0.995}; ///< factor that a jump must lower the cost by
+  int first_rounds{4};          ///< of jumps, at the start
+  int later_rounds{2};          ///< likewise, between levels
+};
+
+/** \brief Hypotheses from optical flow. */
+struct FlowTuning {
+  double noise{2.0};            ///< factor on the frames' depth noise
+  int min_samples{6};           ///< of a segment that has a fit
+  int max_bodies{6};            ///< that many segments share
+  int voters{4};                ///< samples per segment in the search for bodies
+  double vote_limit{3.0};       ///< pixels: truncated there
+  double explained{0.7};        ///< of the limit: such a voter has its body
+  double smallest_body{0.02};   ///< share of all voters
+  int quarter_width{640};       ///< pixels: larger images are matched at a quarter of
+                                ///< their size, which is faster
+  int quarter_depth_width{320}; ///< likewise, of images of depth
+  int quarter_height{128};      ///< and of both
+};
+
+/** \brief Matched features; see "Features where flow fails" in DECISIONS.md. */
+struct FarMotionTuning {
+  int features{1500};   ///< strongest ones of a frame; more is slower
+  float distinct{0.8f}; ///< distance of the best match by that of the second: more lets
+                        ///< wrong matches in
+  int group{6};         ///< matches of a fit: a match and those nearest to it
+  int most_groups{400}; ///< more is slower
+  int min_matches{15};  ///< of a motion
+  int enough{60};       ///< matches that may contradict the flow
+  int most_motions{8};
+  double agree{3.0};     ///< pixels
+  double explained{0.7}; ///< of that: such a match has its motion
+};
+
+struct StartTuning {
+  RigidFitTuning fit;
+  ProposalTuning proposals;
+  FlowTuning flow;
+  FarMotionTuning far_motion;
+  double unexplained{0.4}; ///< cost after the first start: the depth's flow is tried
+  double lost{0.7};        ///< share of segments then: features are matched
+  double same_depth{0.05}; ///< relative: pixels that compare the exposure anew
+};
+
+void
+listValues (StartTuning& tuning, TunedValues& values);
+
+} // namespace pcl_msf

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#pragma once
+
+#include "io/base/json.h"
+
+namespace pcl_msf::io {
+
+/** \brief Adds which tuned values are in use: "tuning_hash", and those that are not the
+ * defaults as "tuning". */
+void
+addTuning (Json& json);
+
+} // namespace pcl_msf::io
