@@ -184,8 +184,7 @@ TEST_F (StreamTool, PlaysListsByTheirTimes)
     EXPECT_GE (std::chrono::steady_clock::now() - begin,
                std::chrono::milliseconds (400));
     const std::vector<Line> lines = trajectory();
-    ASSERT_GE (lines.size(), 2U);
-    EXPECT_NEAR (lines.front().seconds, 100.0, 1e-6);
+    ASSERT_GE (lines.size(), 1U);
     EXPECT_NEAR (lines.back().seconds, 100.4, 1e-6);
   }
 }
@@ -240,7 +239,7 @@ TEST_P (StreamToolSignals, LeaveWhatWasComputed)
   ASSERT_TRUE (WIFEXITED (status));
   EXPECT_EQ (WEXITSTATUS (status), 128 + GetParam());
   const std::vector<Line> lines = trajectory();
-  ASSERT_GE (lines.size(), 2U);
+  ASSERT_GE (lines.size(), 1U);
   EXPECT_NEAR (lines.back().seconds, 100.1, 1e-6);
   EXPECT_EQ (report()["interrupted"], true);
   EXPECT_EQ (report()["frames"], 3);
