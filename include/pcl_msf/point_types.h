@@ -15,7 +15,8 @@ namespace pcl_msf {
  *
  * x y z: metres, reference camera frame, NaN = no depth. dx dy dz: displacement to the
  * current frame, metres, NaN = unknown. label: segment, kNoLabel = none. visible: 255 =
- * seen in both frames, 0 = not.
+ * seen in both frames, 0 = not. flow_deviation (pixels), displacement_deviation
+ * (metres): standard deviations of the errors, see SceneFlow; NaN = unknown.
  */
 struct EIGEN_ALIGN16 PointXYZRGBFlow {
   static constexpr std::uint32_t kNoLabel = 0xFFFFFFFFU;
@@ -27,6 +28,8 @@ struct EIGEN_ALIGN16 PointXYZRGBFlow {
   float dz;
   std::uint32_t label;
   std::uint8_t visible;
+  float flow_deviation;
+  float displacement_deviation;
   PCL_MAKE_ALIGNED_OPERATOR_NEW
 };
 
@@ -42,5 +45,9 @@ POINT_CLOUD_REGISTER_POINT_STRUCT (pcl_msf::PointXYZRGBFlow,
                                    (float, dy, dy)
                                    (float, dz, dz)
                                    (std::uint32_t, label, label)
-                                   (std::uint8_t, visible, visible))
+                                   (std::uint8_t, visible, visible)
+                                   (float, flow_deviation, flow_deviation)
+                                   (float,
+                                    displacement_deviation,
+                                    displacement_deviation))
 // clang-format on

@@ -22,9 +22,13 @@ enum class MotionStatus {
 
 /** \brief The rigid motion of one segment and how well it is known. */
 struct SegmentMotion {
-  RigidPose current_from_reference;     ///< T_k: reference point to current frame
-  Matrix6 information{Matrix6::Zero()}; ///< of the six pose parameters, data terms only
-  int rank{0};                          ///< numerical rank of information, 0 .. 6
+  RigidPose current_from_reference; ///< T_k: reference point to current frame
+
+  /** \brief Inverse covariance of the error of the six pose parameters (radians,
+   * metres): of the rigid body that the segment moves with, by all of its points, and
+   * of what else the segment may move with. See SceneFlow. Zero when undetermined. */
+  Matrix6 information{Matrix6::Zero()};
+  int rank{0}; ///< freedoms that the segment's own points determine, 0 .. 6
   MotionStatus status{MotionStatus::Undetermined};
   int points{0};         ///< points with depth
   int visible_points{0}; ///< of those, seen in the current frame, too
@@ -34,6 +38,13 @@ struct SegmentMotion {
 };
 static_assert (alignof (SegmentMotion) == alignof (double) &&
                sizeof (SegmentMotion) == sizeof (double[6 + 36 + 3]) + sizeof (int[6]));
+
+/** \brief The motion of a group of segments that move together. */
+struct GroupMotion {
+  RigidPose current_from_reference;     ///< of its largest rigid body
+  Matrix6 information{Matrix6::Zero()}; ///< of these six parameters, as a segment's
+  int segments{0};                      ///< in the group
+};
 
 /** \brief Two neighbouring segments and the strength of their connection. */
 struct SegmentPair {
@@ -125,6 +136,21 @@ struct Report {
  *
  * All images have the reference's size and belong to its pixels. Unknown is NaN, never
  * zero.
+ *
+ * Confidence. The covariance of a pose is C = D inv (A) + sum p d d' + w S + f inv
+ * (A_k) with A the information of its body's residuals; D the factor by which residuals
+ * that err alike over large parts of the body count too much, measured from their sums
+ * over tiles (1 = independent); d the ways to the motions of neighbours and of the
+ * largest body, and p the probabilities, by what the segment's own residuals say, that
+ * it moves with them; w S for a segment that is partly not found where it should be,
+ * with S the spread of those motions; A_k the segment's own information, f small unless
+ * its residuals ask for another motion. A deviation of a point is the root of the mean
+ * squared length of its error: the trace of J C J', plus the point's own depth noise,
+ * plus the variance that comes from being measured at the wrong side of a depth step a
+ * few pixels away, likely where a point is not found at the frame's surface. Means over
+ * many scenes are right within a factor of about two; it is made to sort points, and to
+ * be of use as a weight. Errors that a whole body shares without leaving residuals, as
+ * a wrong camera, are not in it.
  */
 struct SceneFlow {
   PinholeCamera camera; ///< of the reference
@@ -133,10 +159,19 @@ struct SceneFlow {
   cv::Mat displacement; ///< CV_32FC3, metres; NaN = unknown
   cv::Mat flow;         ///< CV_32FC2, pixels (u, v); NaN = unknown
   cv::Mat visibility;   ///< CV_8UC1, see Visibility
+
+  /** \brief CV_32FC1, pixels: standard deviation of the flow's error, both directions
+   * together, > 0; NaN where the flow is unknown, everywhere without a camera's grid.
+   */
+  cv::Mat flow_deviation;
+  /** \brief CV_32FC1, metres: the same of the displacement, all three together. */
+  cv::Mat displacement_deviation;
+
   std::vector<SegmentMotion> segments;
-  std::vector<SegmentPair> pairs; ///< first < second
-  int bodies{0};                  ///< number of motion groups
-  int dominant_body{-1};          ///< the motion group with most points
+  std::vector<GroupMotion> groups; ///< element g: segments with body = g
+  std::vector<SegmentPair> pairs;  ///< first < second
+  int bodies{0};                   ///< number of motion groups
+  int dominant_body{-1};           ///< the motion group with most points
   RigidPose
       dominant_motion; ///< pose of its largest rigid body; its inverse is the camera's
                        ///< own motion when that group is the static scene

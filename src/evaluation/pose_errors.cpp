@@ -43,12 +43,46 @@ bodyOfSegments (const cv::Mat& segments, int count, const cv::Mat& labels)
 /** Squared error in standard deviations; motions are small, so the parameters'
  * difference is the error. */
 double
-normalizedSquare (const SegmentMotion& segment, const RigidPose& truth)
+normalizedSquare (const RigidPose& pose,
+                  const Matrix6& information,
+                  const RigidPose& truth)
 {
   Vector6 error;
   for (int i = 0; i < 6; ++i)
-    error[i] = segment.current_from_reference.parameters[i] - truth.parameters[i];
-  return error.dot (segment.information * error);
+    error[i] = pose.parameters[i] - truth.parameters[i];
+  return error.dot (information * error);
+}
+
+/** Mean over groups with determined segments, each held against the body that most of
+ * its segments' points are of; NaN for none. */
+double
+groupsNormalizedSquare (const SceneFlow& estimate,
+                        const std::vector<int>& body_of,
+                        const std::vector<std::optional<RigidPose>>& bodies)
+{
+  std::vector<std::map<int, long>> votes (estimate.groups.size());
+  for (std::size_t k = 0; k < body_of.size(); ++k) {
+    const SegmentMotion& segment = estimate.segments[k];
+    const bool voting = segment.body >= 0 &&
+                        segment.body < static_cast<int> (votes.size()) &&
+                        segment.status == MotionStatus::Determined;
+    if (voting)
+      votes[segment.body][body_of[k]] += segment.points;
+  }
+  std::vector<double> squares;
+  for (std::size_t g = 0; g < votes.size(); ++g) {
+    const auto most = std::max_element (
+        votes[g].begin(), votes[g].end(), [] (const auto& a, const auto& b) {
+          return a.second < b.second;
+        });
+    if (most == votes[g].end() || most->first < 0 ||
+        most->first >= static_cast<int> (bodies.size()) || !bodies[most->first])
+      continue;
+    const GroupMotion& group = estimate.groups[g];
+    squares.push_back (normalizedSquare (
+        group.current_from_reference, group.information, *bodies[most->first]));
+  }
+  return mean (squares);
 }
 
 struct PointPairs {
@@ -85,6 +119,7 @@ SegmentErrors::SegmentErrors()
 , median_translation_mm (rotation_deg)
 , normalized_square (rotation_deg)
 , median_normalized_square (rotation_deg)
+, groups_normalized_square (rotation_deg)
 {}
 
 PoseError
@@ -121,7 +156,8 @@ segmentErrors (const SceneFlow& estimate,
     translation += segment.points * error.translation_mm;
     points += segment.points;
     if (segment.status == MotionStatus::Determined)
-      squares.push_back (normalizedSquare (segment, *bodies[body]));
+      squares.push_back (normalizedSquare (
+          segment.current_from_reference, segment.information, *bodies[body]));
   }
   SegmentErrors result;
   if (rotations.empty())
@@ -131,6 +167,7 @@ segmentErrors (const SceneFlow& estimate,
   result.translation_mm = translation / points;
   result.median_rotation_deg = median (std::move (rotations));
   result.median_translation_mm = median (std::move (translations));
+  result.groups_normalized_square = groupsNormalizedSquare (estimate, body_of, bodies);
   if (squares.empty())
     return result;
   result.normalized_square =

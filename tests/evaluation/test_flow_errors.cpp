@@ -164,4 +164,25 @@ TEST (Averages, MeanAndMedian)
   EXPECT_TRUE (std::isnan (median ({})));
 }
 
+TEST (SparsificationError, TellsGoodOrderFromBad)
+{
+  cv::Mat errors (10, 10, CV_32FC1), backwards (10, 10, CV_32FC1);
+  for (int i = 0; i < 100; ++i) {
+    errors.ptr<float>()[i] = static_cast<float> ((37 * i) % 100 + 1);
+    backwards.ptr<float>()[i] = -errors.ptr<float>()[i];
+  }
+  const cv::Mat mask (10, 10, CV_8UC1, cv::Scalar (255));
+  EXPECT_NEAR (sparsificationError (errors, 0.1 * errors, mask), 0.0, 1e-12);
+  // Errors 1 .. 100: the curve of the order falls to 0, the other one rises to 2.
+  EXPECT_NEAR (sparsificationError (errors, backwards, mask), 1.0, 0.05);
+  cv::Mat unsure = backwards.clone();
+  unsure.at<float> (0, 0) = std::nanf (""); // as the first that is taken away
+  const cv::Mat constant (10, 10, CV_32FC1, cv::Scalar (1));
+  const double none = sparsificationError (errors, constant, mask);
+  EXPECT_GT (none, 0.3);
+  EXPECT_LT (none, 0.7);
+  EXPECT_TRUE (std::isfinite (sparsificationError (errors, unsure, mask)));
+  EXPECT_TRUE (std::isnan (sparsificationError (errors, errors, 0 * mask)));
+}
+
 } // namespace

@@ -134,6 +134,22 @@ TEST (SegmentErrors, AreHeldAgainstTheirInformation)
   EXPECT_TRUE (std::isnan (segmentErrors (flow, labels, bodies).normalized_square));
 }
 
+TEST (SegmentErrors, GroupsAreHeldAgainstTheBodyOfMostOfTheirPoints)
+{
+  SceneFlow flow = twoSegments();
+  flow.groups.resize (1);
+  flow.segments[0].body = flow.segments[1].body = 0;
+  flow.groups[0].current_from_reference = flow.segments[0].current_from_reference;
+  flow.groups[0].information (3, 3) = 1e6; // off by two millimetres
+  const std::vector<std::optional<RigidPose>> bodies{pose ({0, 0, 0}, {1, 0, 0}), {}};
+  const cv::Mat labels = partition ({0, 0, 0, 1}); // the soft one has fewer points
+  EXPECT_NEAR (
+      segmentErrors (flow, labels, bodies).groups_normalized_square, 4.0, 1e-6);
+  flow.segments[0].status = flow.segments[1].status = MotionStatus::Supported;
+  EXPECT_TRUE (
+      std::isnan (segmentErrors (flow, labels, bodies).groups_normalized_square));
+}
+
 TEST (SegmentErrors, SoftAndUnlabelledBodiesAreNotScored)
 {
   const std::vector<std::optional<RigidPose>> bodies{pose ({0, 0, 0}, {1, 0, 0}), {}};

@@ -34,6 +34,8 @@ smallResult ()
   flow.displacement.at<cv::Vec3f> (1, 0) = {kNan, kNan, kNan};
   flow.flow = cv::Mat (2, 2, CV_32FC2, cv::Scalar (1, 1));
   flow.visibility = (cv::Mat_<unsigned char> (2, 2) << 255, 0, 255, 128);
+  flow.flow_deviation = (cv::Mat_<float> (2, 2) << 0.5F, kNan, kNan, 2.0F);
+  flow.displacement_deviation = 0.01 * flow.flow_deviation;
   flow.segments.resize (2);
   flow.segments[0].status = MotionStatus::Determined;
   return flow;
@@ -45,9 +47,10 @@ TEST (ResultFiles, SceneFlowCloudReadsBack)
   const cv::Mat color (2, 2, CV_8UC3, cv::Scalar (10, 20, 30));
   io::writeSceneFlowCloud (folder ("a.pcd"), smallResult(), color);
   EXPECT_EQ (pcl_msf::testing::filesIn (folder ("")), 1U);
-  EXPECT_NE (
-      readFile (folder ("a.pcd")).find ("FIELDS x y z rgb dx dy dz label visible\n"),
-      std::string::npos);
+  EXPECT_NE (readFile (folder ("a.pcd"))
+                 .find ("FIELDS x y z rgb dx dy dz label visible "
+                        "flow_deviation displacement_deviation\n"),
+             std::string::npos);
   pcl::PointCloud<PointXYZRGBFlow> cloud;
   ASSERT_EQ (pcl::io::loadPCDFile (folder ("a.pcd"), cloud), 0);
   ASSERT_EQ (cloud.width, 2U);
@@ -61,6 +64,9 @@ TEST (ResultFiles, SceneFlowCloudReadsBack)
   EXPECT_TRUE (std::isfinite (cloud (0, 1).x) && std::isnan (cloud (0, 1).dy));
   EXPECT_EQ (cloud (0, 1).label, 1U);
   EXPECT_EQ (cloud (1, 1).visible, 0) << "occluded";
+  EXPECT_EQ (cloud (1, 1).flow_deviation, 2.0F);
+  EXPECT_EQ (cloud (1, 1).displacement_deviation, 0.02F);
+  EXPECT_TRUE (std::isnan (cloud (0, 1).flow_deviation));
 }
 
 TEST (ResultFiles, WarpedCloudIsOrganizedAndKnowsWhatItDoesNot)

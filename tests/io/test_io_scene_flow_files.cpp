@@ -70,6 +70,20 @@ TEST (SceneFlowFiles, CloudComesBack)
   EXPECT_EQ (read.segments[0].visible_points, 16 * 24 - 2);
 }
 
+TEST (SceneFlowFiles, DeviationsComeBackWhereTheFileHasThem)
+{
+  const TemporaryFolder folder;
+  SceneFlow flow = someFlow();
+  flow.flow_deviation = cv::Mat (kSize, CV_32FC1, cv::Scalar (0.25));
+  flow.displacement_deviation = cv::Mat (kSize, CV_32FC1, cv::Scalar (0.001));
+  flow.flow_deviation.at<float> (2, 2) = kNan;
+  io::writeSceneFlowCloud (folder ("s.pcd"), flow, cv::Mat());
+  const SceneFlow read = io::readSceneFlowCloud (folder ("s.pcd")).scene_flow;
+  EXPECT_EQ (read.flow_deviation.at<float> (3, 3), 0.25F);
+  EXPECT_TRUE (std::isnan (read.flow_deviation.at<float> (2, 2)));
+  EXPECT_EQ (read.displacement_deviation.at<float> (3, 3), 0.001F);
+}
+
 TEST (SceneFlowFiles, TheViewpointStays)
 {
   const TemporaryFolder folder;

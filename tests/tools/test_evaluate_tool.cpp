@@ -107,6 +107,22 @@ TEST_F (EvaluateTool, ScoresAllMethodsAndOursIsAhead)
     EXPECT_THAT (json, HasSubstr (key));
 }
 
+TEST_F (EvaluateTool, DeviationsSortErrorsBetterThanResiduals)
+{
+  const ToolRun r =
+      run (kTiny + "--methods msf --sensor kinect,stereo --csv " + folder_ ("d.csv"));
+  ASSERT_EQ (r.status, 0) << r.err;
+  double own = 0.0, residual = 0.0;
+  const ResultFile file = readResults (folder_ ("d.csv"));
+  ASSERT_EQ (file.rows.size(), 8U);
+  for (const Row& row : file.rows) {
+    own += row.score.ause;
+    residual += row.score.ause_residual;
+    EXPECT_GT (row.score.ause, 0.0) << row.sequence;
+  }
+  EXPECT_LT (own, 0.5 * residual);
+}
+
 TEST_F (EvaluateTool, ShardsGiveWhatOneRunGives)
 {
   const std::string what = kTiny + "--motion easy --methods msf,zero --quiet --csv ";

@@ -82,6 +82,9 @@ checkClouds (const std::string& scene_flow, const std::string& warped)
   EXPECT_NEAR (cloud (75, 65).dx, SmallScene::kBoxShift / 150.0, 0.004);
   EXPECT_TRUE (std::isnan (cloud (2, 2).x) && std::isnan (cloud (2, 2).dx));
   EXPECT_NE (cloud (75, 65).label, cloud (130, 20).label);
+  EXPECT_GT (cloud (75, 65).flow_deviation, 0.0F);
+  EXPECT_GT (cloud (75, 65).displacement_deviation, 0.0F);
+  EXPECT_TRUE (std::isnan (cloud (2, 2).flow_deviation));
   pcl::PointCloud<pcl::PointXYZRGB> moved;
   ASSERT_EQ (pcl::io::loadPCDFile (warped, moved), 0);
   ASSERT_TRUE (moved.isOrganized());
@@ -95,6 +98,9 @@ checkReport (const std::string& path)
                                 cv::FileStorage::READ | cv::FileStorage::FORMAT_JSON);
   ASSERT_TRUE (report.isOpened());
   EXPECT_EQ (static_cast<int> (report["frames"]), 2);
+  EXPECT_GT (static_cast<double> (report["median_flow_deviation_px"]), 0.0);
+  EXPECT_EQ (report["dominant_motion_information"].size(), 6U);
+  EXPECT_EQ (readFile (path).find ("null"), std::string::npos);
   EXPECT_EQ (static_cast<int> (report["width"]), SmallScene::kWidth);
   EXPECT_EQ (static_cast<int> (report["height"]), SmallScene::kHeight);
   EXPECT_GE (static_cast<int> (report["segments"]), 2);
@@ -148,8 +154,11 @@ TEST_F (SceneFlowTool, WritesEverythingFromImages)
   EXPECT_EQ (visible.at<unsigned char> (65, 75), 255);
   EXPECT_EQ (visible.at<unsigned char> (2, 2), 0);
   EXPECT_EQ (cv::countNonZero (visible), cv::countNonZero (visible == 255));
-  for (const char* name :
-       {"flow_0_1.png", "segments_0.png", "motions_0.png", "residual_0_1.png"})
+  for (const char* name : {"flow_0_1.png",
+                           "segments_0.png",
+                           "motions_0.png",
+                           "residual_0_1.png",
+                           "deviation_0_1.png"})
     EXPECT_EQ (cv::imread (result (name)).cols, int{SmallScene::kWidth}) << name;
   for (const auto& entry : std::filesystem::directory_iterator (folder_ ("out")))
     EXPECT_NE (entry.path().extension(), ".part");

@@ -83,6 +83,16 @@ addMotionColumns (Columns& c)
                 &Score::nees,
                 2});
   c.push_back ({"nees_median", "its median; 5.3 is right", &Score::nees_median, 2});
+  c.push_back ({"nees_groups", "the same of motion groups", &Score::nees_groups, 2});
+  c.push_back ({"ause",
+                "flow's reported deviation, all points with an estimate: area between "
+                "the sparsification curves of it and of the errors",
+                &Score::ause,
+                3});
+  c.push_back ({"ause_residual",
+                "the same of the brightness residual (without colour the depth's)",
+                &Score::ause_residual,
+                3});
   c.push_back (
       {"ego_rot", "dominant motion against the camera's, deg", &Score::ego_rot, 4});
   c.push_back ({"ego_trans", "the same, mm", &Score::ego_trans, 2});

@@ -22,7 +22,8 @@ struct Score {
   double acc1_all, acc1_visible, acc1_occluded;
   double segments, groups, ari, purity;
   double segment_rot, segment_trans, segment_rot_median, segment_trans_median;
-  double nees, nees_median;
+  double nees, nees_median, nees_groups;
+  double ause, ause_residual;
   double ego_rot, ego_trans;
   double seen, photo_all_mean, photo_all_median, photo_mean, photo_median;
   double depth_mean, depth_median, depth_sigmas;

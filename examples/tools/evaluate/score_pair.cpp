@@ -6,6 +6,7 @@
 #include <pcl_msf/evaluation/flow_errors.h>
 #include <pcl_msf/evaluation/motion_errors.h>
 #include <pcl_msf/evaluation/residuals.h>
+#include <pcl_msf/io/figures.h>
 #include <pcl_msf/rgbd_frame.h>
 
 #include <algorithm>
@@ -121,6 +122,25 @@ PairScorer::scoreMotions (const Estimate& estimate, Score& s) const
   s.segment_trans_median = segments.median_translation_mm;
   s.nees = segments.normalized_square;
   s.nees_median = segments.median_normalized_square;
+  s.nees_groups = segments.groups_normalized_square;
+}
+
+/** Does what the method says of its errors sort them? */
+void
+PairScorer::scoreDeviation (const Estimate& estimate, Score& s) const
+{
+  if (!estimate.scene_flow || pair_.truth.flow.empty())
+    return;
+  const SceneFlow& flow = *estimate.scene_flow;
+  const bool color = !pair_.reference.color.empty() && !pair_.current.color.empty();
+  const cv::Mat residual = color ? io::brightnessResidual (pair_.reference.color,
+                                                           pair_.current.color,
+                                                           flow.flow)
+                                 : io::depthResidual (flow, pair_.current.depth);
+  const cv::Mat known = all_ & (flow.flow_deviation > 0.0F); // of the estimate
+  const cv::Mat errors = evaluation::endPointErrors (flow.flow, pair_.truth.flow);
+  s.ause = evaluation::sparsificationError (errors, flow.flow_deviation, known);
+  s.ause_residual = evaluation::sparsificationError (errors, residual, known);
 }
 
 void
@@ -162,6 +182,7 @@ PairScorer::score (const Estimate& estimate, const cv::Mat& seen) const
   scoreFlow (estimate, s);
   scoreSceneFlow (estimate, s);
   scoreMotions (estimate, s);
+  scoreDeviation (estimate, s);
   scoreResiduals (estimate, seen, s);
   const StageSeconds& seconds = estimate.seconds;
   s.sec = seconds.total;

@@ -25,6 +25,8 @@ private:
   void
   scoreMotions (const Estimate& estimate, Score& score) const;
   void
+  scoreDeviation (const Estimate& estimate, Score& score) const;
+  void
   scoreResiduals (const Estimate& estimate, const cv::Mat& seen, Score& score) const;
 
   const PairData& pair_;

@@ -184,6 +184,9 @@ writePictures (const Outcome& o, int frame, const Options& options)
   });
   album.add (
       "residual" + pair + ".png", "residual", [&] { return residualPicture (s); });
+  album.add ("deviation" + pair + ".png", "standard deviation of the flow", [&] {
+    return io::scalarPicture (s.flow.flow_deviation, 0.0, "px");
+  });
   if (!s.reference.color.empty())
     addOverlays (album, pair, s);
   album.add ("convergence" + reference + ".png", "convergence", [&] {

@@ -56,6 +56,21 @@ flowErrors (const cv::Mat& flow, const cv::Mat& truth, const cv::Mat& mask);
 cv::Mat
 endPointErrors (const cv::Mat& flow, const cv::Mat& truth);
 
+/** \brief How well a deviation sorts errors: the area between two sparsification
+ * curves, that of the deviation and that of the errors themselves (AUSE: Ilg et al.,
+ * Uncertainty Estimates and Multi-Hypotheses Networks for Optical Flow, ECCV 2018). A
+ * curve is the mean error of the points that remain when the least sure ones are taken
+ * away, as a share of the mean of all, against the share that is taken away.
+ * \param errors CV_32FC1; not finite = unknown
+ * \param deviation CV_32FC1, any unit; not finite = least sure
+ * \param mask CV_8UC1, 255 = scored
+ * \return 0 = in the errors' own order; NaN without points or errors
+ * \throws InvalidInput for other types or sizes that differ */
+double
+sparsificationError (const cv::Mat& errors,
+                     const cv::Mat& deviation,
+                     const cv::Mat& mask);
+
 /** \brief Errors of displacements over a set of points; all NaN when it is empty. */
 struct SceneFlowErrors {
   long points{0};   ///< scored: in the mask, with known truth

@@ -37,8 +37,10 @@ struct SegmentErrors {
 
   /** \brief Of determined segments of a rigid body: the pose's squared error weighted
    * by its information matrix, mean and median. 6 and 5.3 where the information is
-   * what it says; a segment that took the pose of a larger body has less. */
+   * what it says. */
   double normalized_square, median_normalized_square;
+  /** \brief The same of motion groups whose segments are mostly of one rigid body. */
+  double groups_normalized_square;
 
   SegmentErrors();
 };

@@ -12,7 +12,8 @@
 namespace pcl_msf::io {
 
 /** \brief Writes a result as a binary, organized .pcd with the fields `x y z rgb dx dy
- * dz label visible` of pcl_msf::PointXYZRGBFlow; NaN where there is no depth.
+ * dz label visible flow_deviation displacement_deviation` of
+ * pcl_msf::PointXYZRGBFlow; NaN where there is no depth.
  * \param color of the reference, CV_8UC1, CV_8UC3 (BGR) or empty = white
  * \param viewpoint of the reference \throws IoError */
 void
@@ -41,7 +42,8 @@ struct StoredSceneFlow {
  *
  * The camera comes from the points, the optical flow from camera and displacement, the
  * segments are counted; points that are not seen in both frames are
- * Visibility::Unknown, because the file does not say why. \throws IoError */
+ * Visibility::Unknown, because the file does not say why. Deviations are empty when the
+ * file has none, as those of earlier versions. \throws IoError */
 StoredSceneFlow
 readSceneFlowCloud (const std::string& path);
 

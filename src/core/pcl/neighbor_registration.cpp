@@ -52,6 +52,8 @@ prepareImages (const cv::Mat& source, SceneFlow& flow)
   flow.displacement = cv::Mat (source.size(), CV_32FC3, cv::Scalar::all (kNone));
   flow.flow = cv::Mat (source.size(), CV_32FC2, cv::Scalar::all (kNone));
   flow.visibility = cv::Mat (source.size(), CV_8UC1, cv::Scalar (Visibility::NoDepth));
+  flow.flow_deviation = cv::Mat (source.size(), CV_32FC1, cv::Scalar::all (kNone));
+  flow.displacement_deviation = flow.flow_deviation.clone();
 }
 
 void
@@ -117,6 +119,8 @@ registerByNeighbors (const cv::Mat& source,
   PairMotion motion{0, 1, {}};
   for (std::size_t p = 0; p < found.parts.size(); ++p) {
     flow.segments.push_back (motionOf (found.parts[p], static_cast<int> (p)));
+    flow.groups.push_back (
+        {found.parts[p].target_from_source, found.parts[p].information, 1});
     motion.segments.push_back (found.parts[p].target_from_source);
   }
   result.flow.motions.push_back (std::move (motion));

@@ -66,8 +66,7 @@ fillOwnMotion (const DataTerm& data,
   motion.visible_points = 0;
   for (int i = p.begin[k]; i < p.begin[k + 1]; ++i)
     motion.visible_points += (data.active()[i] & kernel::kIcp) ? 1 : 0;
-  motion.information = residual_scale * data.of (k).information;
-  motion.rank = numericalRank (motion.information,
+  motion.rank = numericalRank (residual_scale * data.of (k).information,
                                motion.current_from_reference,
                                p.centroid[k],
                                radiusOf (p, k),

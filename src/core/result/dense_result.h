@@ -11,7 +11,7 @@
 
 namespace pcl_msf {
 
-/** \brief Fills in the segments' motions, information, status, and the bodies.
+/** \brief Fills in the segments' motions, rank, status, and the bodies.
  * \param residual_scale energy times this = sum of 1/2 (residual / sigma)^2 */
 void
 fillSegments (const DataTerm& data,

@@ -3,7 +3,9 @@
 #include "core/result/dense_points.h"
 #include "core/result/dense_result.h"
 #include "core/result/dense_visibility.h"
+#include "core/result/deviations.h"
 #include "core/result/outcome.h"
+#include "core/result/pose_covariance.h"
 #include "core/solve/window_solve.h"
 
 /* The results of WindowSolve, at the level of its last round. */
@@ -31,7 +33,31 @@ WindowSolve::resultFor (int frame)
               scene_.threads,
               result);
   fillVisibility (data, scene_.tuning.result.visibility, scene_.threads, result);
+  fillConfidence (data, pair, frames_[frame].camera(), result);
   return result;
+}
+
+void
+WindowSolve::fillConfidence (const DataTerm& data,
+                             int pair,
+                             const PinholeCamera& camera,
+                             SceneFlow& result) const
+{
+  const std::vector<Matrix6> covariances =
+      fillInformation (data,
+                       scene_.links,
+                       state_.ofPair (pair),
+                       residualScale (energy_, data.pixels()),
+                       scene_.tuning.result.information,
+                       scene_.threads,
+                       result);
+  fillDeviations (data.pixels(),
+                  covariances,
+                  camera,
+                  scene_.noise.inverse_depth,
+                  scene_.tuning.result.deviation,
+                  scene_.threads,
+                  result);
 }
 
 MultiframeSceneFlow

@@ -125,6 +125,12 @@ private:
   finish ();
   SceneFlow
   resultFor (int frame);
+  /** How sure the result of a pair is. \param camera of its frame */
+  void
+  fillConfidence (const DataTerm& data,
+                  int pair,
+                  const PinholeCamera& camera,
+                  SceneFlow& result) const;
   void
   concludeReport (MultiframeSceneFlow& result);
 

@@ -42,6 +42,7 @@ constexpr std::array kKinds{
     PictureKind{"occlusion", "visibility"},
     PictureKind{"range", "depth"},
     PictureKind{"residual", "residual"},
+    PictureKind{"deviation", "standard deviation of the flow"},
     PictureKind{"error", "end-point error"},
     PictureKind{"overlay", "both frames, warped"},
     PictureKind{"convergence", "convergence", true},

@@ -6,6 +6,7 @@
 #include <pcl_msf/io/result_files.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace pcl_msf::io {
@@ -85,6 +86,51 @@ cameraOf (const PinholeCamera& camera, const LensDistortion& removed)
   return json;
 }
 
+/** Six rows; of zeros when nothing is known. */
+Json
+rowsOf (const Matrix6& matrix)
+{
+  Json rows = Json::array();
+  for (int row = 0; row < 6; ++row) {
+    rows.push_back (Json::array());
+    for (int col = 0; col < 6; ++col)
+      rows.back().push_back (matrix (row, col));
+  }
+  return rows;
+}
+
+/** Middle of the values that are known; 0 for none. */
+double
+medianOf (const cv::Mat& image)
+{
+  std::vector<float> values;
+  for (std::size_t i = 0; i < image.total(); ++i)
+    if (std::isfinite (image.ptr<float>()[i]))
+      values.push_back (image.ptr<float>()[i]);
+  if (values.empty())
+    return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t> (values.size() / 2);
+  std::nth_element (values.begin(), middle, values.end());
+  return *middle;
+}
+
+/** What is known of the errors; nothing of results that don't tell. */
+void
+addConfidence (const SceneFlow& flow, Json& json)
+{
+  const double pixels = medianOf (flow.flow_deviation);
+  const double metres = medianOf (flow.displacement_deviation);
+  if (pixels > 0.0)
+    json["median_flow_deviation_px"] = pixels;
+  if (metres > 0.0)
+    json["median_displacement_deviation_m"] = metres;
+  const bool has_group = flow.dominant_body >= 0 &&
+                         flow.dominant_body < static_cast<int> (flow.groups.size());
+  if (has_group && flow.groups[flow.dominant_body].information.allFinite())
+    json["dominant_motion_information"] =
+        rowsOf (flow.groups[flow.dominant_body].information);
+}
+
 long
 countStatus (const SceneFlow& flow, MotionStatus status)
 {
@@ -117,6 +163,7 @@ reportJson (const SceneFlow& flow,
             {"cost", costOf (report.initial_cost, report.final_cost)},
             {"history", historyOf (report.history)},
             {"dominant_motion", rowsOf (flow.dominant_motion.matrix())}};
+  addConfidence (flow, json);
   addTuning (json);
   return jsonText (json);
 }

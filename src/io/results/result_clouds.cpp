@@ -46,9 +46,13 @@ void
 checkResult (const std::string& path, const SceneFlow& flow, const cv::Mat& color)
 {
   const cv::Size size = flow.points.size();
+  const auto fits = [size] (const cv::Mat& image) {
+    return image.empty() || image.size() == size;
+  };
   const bool whole = !flow.points.empty() && flow.displacement.size() == size &&
                      flow.labels.size() == size && flow.visibility.size() == size &&
-                     (color.empty() || color.size() == size);
+                     fits (color) && fits (flow.flow_deviation) &&
+                     fits (flow.displacement_deviation);
   if (!whole)
     throw IoError (path + ": scene flow: " + std::to_string (flow.points.cols) + "x" +
                    std::to_string (flow.points.rows) +
@@ -88,6 +92,13 @@ isFinite (const cv::Vec3f& v)
   return std::isfinite (v[0]) && std::isfinite (v[1]) && std::isfinite (v[2]);
 }
 
+/** NaN where there is no image. */
+float
+valueAt (const cv::Mat& image, int row, int col)
+{
+  return image.empty() ? kNan : image.at<float> (row, col);
+}
+
 template <typename PointT>
 void
 setPosition (PointT& point, const cv::Vec3f& position)
@@ -119,6 +130,8 @@ writeSceneFlowCloud (const std::string& path,
             label >= 0 ? static_cast<std::uint32_t> (label) : PointXYZRGBFlow::kNoLabel;
         const auto seen = flow.visibility.at<unsigned char> (row, col);
         point.visible = seen == Visibility::Visible ? 255 : 0;
+        point.flow_deviation = valueAt (flow.flow_deviation, row, col);
+        point.displacement_deviation = valueAt (flow.displacement_deviation, row, col);
       });
 }
 

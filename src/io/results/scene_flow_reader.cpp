@@ -25,6 +25,7 @@ struct FlowFields {
   FlowFields (const pcl::PCLPointCloud2& blob, const std::string& path);
 
   std::uint32_t position[3], displacement[3], label, visible;
+  std::uint32_t flow_deviation{0}, displacement_deviation{0}; ///< 0 = not in the file
 };
 
 std::uint32_t
@@ -49,6 +50,14 @@ FlowFields::FlowFields (const pcl::PCLPointCloud2& blob, const std::string& path
     displacement[i] = offsetOf (blob, "d" + axes[i], pcl::PCLPointField::FLOAT32, path);
   label = offsetOf (blob, "label", pcl::PCLPointField::UINT32, path);
   visible = offsetOf (blob, "visible", pcl::PCLPointField::UINT8, path);
+  for (const pcl::PCLPointField& field : blob.fields) {
+    if (field.datatype != pcl::PCLPointField::FLOAT32)
+      continue;
+    if (field.name == "flow_deviation")
+      flow_deviation = field.offset;
+    if (field.name == "displacement_deviation")
+      displacement_deviation = field.offset;
+  }
 }
 
 template <typename T>
@@ -100,6 +109,20 @@ colorOf (const pcl::PCLPointCloud2& blob, const std::string& path)
   return known ? images.color : cv::Mat();
 }
 
+/** A field of the points as an image; empty for a field that the file does not have. */
+cv::Mat
+imageOf (const pcl::PCLPointCloud2& blob, std::uint32_t offset)
+{
+  if (offset == 0)
+    return {};
+  cv::Mat image (
+      static_cast<int> (blob.height), static_cast<int> (blob.width), CV_32FC1);
+  for (std::size_t i = 0; i < image.total(); ++i)
+    image.ptr<float>()[i] =
+        valueAt<float> (blob.data.data() + i * blob.point_step + offset);
+  return image;
+}
+
 StoredSceneFlow
 readPoints (const std::string& path)
 {
@@ -131,6 +154,8 @@ readPoints (const std::string& path)
     flow.visibility.at<unsigned char> (at) =
         visibilityOf (position, point[fields.visible]);
   }
+  flow.flow_deviation = imageOf (blob, fields.flow_deviation);
+  flow.displacement_deviation = imageOf (blob, fields.displacement_deviation);
   return stored;
 }
 

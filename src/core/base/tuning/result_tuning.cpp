@@ -10,6 +10,8 @@ listValues (ResultTuning& tuning, TunedValues& values)
   SoftTuning& soft = tuning.soft;
   VisibilityTuning& visibility = tuning.visibility;
   OutcomeTuning& outcome = tuning.outcome;
+  InformationTuning& information = tuning.information;
+  DeviationTuning& deviation = tuning.deviation;
   const TunedValues own{
       {"result.status.seen_enough", &tuning.status.seen_enough, 0, 1},
       {"result.status.rank_share", &tuning.status.rank_share, 0, 1},
@@ -39,7 +41,21 @@ listValues (ResultTuning& tuning, TunedValues& values)
       {"result.outcome.found", &outcome.found, 0, 1},
       {"result.outcome.in_front", &outcome.in_front, 0, 1},
       {"result.outcome.few_found", &outcome.few_found, 0, 1},
-      {"result.outcome.near", &outcome.near, 0, 1}};
+      {"result.outcome.near", &outcome.near, 0, 1},
+      {"result.information.tiles", &information.tiles, 1, 1e6},
+      {"result.information.enough_tiles", &information.enough_tiles, 2, 1e6},
+      {"result.information.least_tile", &information.least_tile, 1, 1000},
+      {"result.information.pooled", &information.pooled, 0, 1e6},
+      {"result.information.reach", &information.reach, 0.1, 1e4},
+      {"result.information.elsewhere", &information.elsewhere, 0, 1},
+      {"result.information.mean_objection", &information.mean_objection, 1e-3, 100},
+      {"result.information.not_found", &information.not_found, 0, 1},
+      {"result.information.own", &information.own, 0, 1},
+      {"result.deviation.near_step", &deviation.near_step, 1, 100},
+      {"result.deviation.far_step", &deviation.far_step, 1, 100},
+      {"result.deviation.across", &deviation.across, 0, 1},
+      {"result.deviation.across_unseen", &deviation.across_unseen, 0, 1},
+      {"result.deviation.least_pixels", &deviation.least_pixels, 1e-6, 1}};
   values.insert (values.end(), own.begin(), own.end());
 }
 

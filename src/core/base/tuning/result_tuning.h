@@ -72,6 +72,30 @@ struct OutcomeTuning {
   float near{0.03f};     ///< of the depth: one surface, roughly fitted
 };
 
+/** \brief How sure a pose is; see "Information by what a body's residuals share" and
+ * "A segment may belong elsewhere" in DECISIONS.md. */
+struct InformationTuning {
+  double tiles{20.0};     ///< of an image, over which residuals are summed up
+  int enough_tiles{8};    ///< of a body; else they are made smaller ...
+  double least_tile{12};  ///< ... down to this side, pixels
+  double pooled{8.0};     ///< tiles that all bodies together count as, beside its own
+  double reach{30.0};     ///< pixels: deviation of a motion that nothing is known of
+  double elsewhere{0.01}; ///< probability that a segment belongs to other bodies though
+                          ///< its residuals object: they err alike, too
+  double mean_objection{0.3}; ///< cost a residual by which they can object at most
+  double not_found{0.5};      ///< probability of a wrong motion when nothing is seen
+  double own{0.005}; ///< probability of a motion of its own, when residuals are content
+};
+
+/** \brief How sure a point's motion is, beside the pose. */
+struct DeviationTuning {
+  int near_step{2};           ///< pixels: where a sensor takes one side of a step
+  int far_step{4};            ///< for the other
+  double across{0.03};        ///< probability that it did
+  double across_unseen{1.0};  ///< and where the point is not found where it lands
+  double least_pixels{0.003}; ///< no flow is better
+};
+
 struct ResultTuning {
   StatusTuning status;
   BlendTuning blend;
@@ -79,6 +103,8 @@ struct ResultTuning {
   GroupTuning groups;
   VisibilityTuning visibility;
   OutcomeTuning outcome;
+  InformationTuning information;
+  DeviationTuning deviation;
 };
 
 void
