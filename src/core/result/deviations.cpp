@@ -85,15 +85,14 @@ differenceAround (const SceneFlow& scene, const cv::Point& at, const int (&radii
       const cv::Point other = at + radii[ring] * cv::Point (i % 3 - 1, i / 3 - 1);
       if (i == 4 || !image.contains (other))
         continue;
-      const double d =
-          cv::norm (scene.flow.at<cv::Vec2f> (other), flow, cv::NORM_L2SQR);
+      const cv::Vec2f f = scene.flow.at<cv::Vec2f> (other) - flow;
+      const double d = f.dot (f);
       if (!std::isfinite (d))
         continue;
       const double weight = ring == 0 ? 1.0 : 0.5;
       sum.flow += weight * d;
-      sum.displacement += weight * cv::norm (scene.displacement.at<cv::Vec3f> (other),
-                                             displacement,
-                                             cv::NORM_L2SQR);
+      const cv::Vec3f way = scene.displacement.at<cv::Vec3f> (other) - displacement;
+      sum.displacement += weight * way.dot (way);
       weights += weight;
     }
   if (weights > 0.0)

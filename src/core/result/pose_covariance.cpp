@@ -51,9 +51,20 @@ public:
   Matrix6
   ofBody (int segment) const;
 
+  /** \brief By its own points, as if residuals were independent. */
+  Matrix6
+  dataOf (int segment) const
+  {
+    return scale_ * data_.of (segment).information;
+  }
+
   /** \brief What comes to it because the segment may move with others. */
   Matrix6
   ofMembership (int segment) const;
+
+  /** \brief Information of a motion that is anything within reach. */
+  Matrix6
+  reachOf (int segment) const;
 
 private:
   /** What a segment may be taken for. */
@@ -71,10 +82,6 @@ private:
   fromLocal (int segment) const;
   Matrix6
   spreadOf (int segment, const Ways& ways) const;
-  /** Information of a motion that is anything within reach. */
-  Matrix6
-  reachOf (int segment) const;
-
   const DataTerm& data_;
   const MotionState& state_;
   const double scale_;
@@ -225,10 +232,12 @@ PoseCovariance::ofMembership (int k) const
   return sum + std::min (1.0, tuning_.own * misfit * misfit) * alone;
 }
 
-/** A group's pose is as sure as its largest body's. Its segments may belong elsewhere,
- * mostly all of them, as what they say in the mean tells, or one alone. */
+/** A group's pose is as sure as its largest body's. Its segments may belong elsewhere:
+ * all of them, as what they say in the mean tells, or each alone, which moves the body
+ * by its share in the body's information. */
 std::vector<GroupMotion>
 groupMotions (const MotionState& state,
+              const PoseCovariance& covariance,
               const std::vector<Matrix6>& bodies,
               const std::vector<Matrix6>& memberships,
               const SceneFlow& result)
@@ -249,19 +258,23 @@ groupMotions (const MotionState& state,
     groups[g].current_from_reference = state.poses[body];
     Matrix6 together = Matrix6::Zero();
     Matrix6 alone = Matrix6::Zero();
+    Matrix6 data = Matrix6::Zero();
     int known = -1;
     double segments = 0.0;
     for (std::size_t k = 0; k < result.segments.size(); ++k)
       if (state.body_of[k] == body && memberships[k].allFinite()) {
         together += inverseOf (memberships[k]);
-        alone += memberships[k];
+        const Matrix6 own = covariance.dataOf (static_cast<int> (k));
+        alone += own * memberships[k] * own;
+        data += own;
         known = static_cast<int> (k);
         segments += 1.0;
       }
-    if (known >= 0)
-      groups[g].information =
-          inverseOf (bodies[known] + inverseOf (together / segments) +
-                     alone / (segments * segments));
+    if (known < 0)
+      continue;
+    const Matrix6 inverse = inverseOf (data + covariance.reachOf (known));
+    groups[g].information = inverseOf (bodies[known] + inverseOf (together / segments) +
+                                       inverse * alone * inverse);
   }
   return groups;
 }
@@ -302,7 +315,7 @@ fillInformation (const DataTerm& data,
     covariances[k] = bodies[k] + memberships[k];
     segment.information = inverseOf (covariances[k]);
   });
-  result.groups = groupMotions (state, bodies, memberships, result);
+  result.groups = groupMotions (state, covariance, bodies, memberships, result);
   return covariances;
 }
 
