@@ -154,9 +154,11 @@ public:
             (pixels_.icp_count > 0 ? rules_.icp_weight : 0.0));
   }
 
-  /** \brief What a hidden residual costs more when nothing vouches for the pose. */
+  /** \brief What a hidden residual costs more when no visible neighbour shares the
+   * pose.
+   */
   double
-  unsupportedCost () const
+  isolatedHiddenCost () const
   {
     return rules_.conflict_cost - rules_.occluded_cost;
   }

@@ -94,7 +94,7 @@ WindowLevel::terms() const
 }
 
 void
-WindowLevel::sharpenRigidBodies (const WindowState& state)
+WindowLevel::rescaleBodyNoise (const WindowState& state)
 {
   for (std::size_t f = 0; f < pixels_.size(); ++f) {
     std::vector<PairTerms> from;
@@ -103,7 +103,7 @@ WindowLevel::sharpenRigidBodies (const WindowState& state)
         from.push_back (pair);
     if (from.empty())
       continue;
-    pcl_msf::sharpenRigidBodies (
+    pcl_msf::rescaleBodyNoise (
         from, state, scene_.tuning.data.body_noise, scene_.threads, pixels_[f]);
     for (const PairTerms& pair : from)
       data_[pair.pair]->forget();

@@ -92,7 +92,7 @@ public:
   /** \brief Weighs every frame's points of large bodies by how well they fit; see
    * body_noise.h. */
   void
-  sharpenRigidBodies (const WindowState& state);
+  rescaleBodyNoise (const WindowState& state);
 
   /** \brief Weighs the residuals by the scene's correlation areas from the next sweep
    * on. */

@@ -64,8 +64,8 @@ Energy::unit (double depth) const
   return level_.focalLength() / std::max (depth, 1e-3);
 }
 
-/** eta, once for every pair that pulls at the weight: so the width of the kernel, the
- * difference of poses that lets go, is that of two frames whatever the window. */
+/** eta, once for every pair that shares the weight: so the width of the kernel is that
+ * of two frames whatever the window. */
 double
 Energy::priorWeight() const
 {

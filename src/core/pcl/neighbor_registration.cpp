@@ -31,7 +31,7 @@ pointsOf (const cv::Mat& image)
 }
 
 SegmentMotion
-motionOf (const CloudPart& part, int body)
+motionOf (const CloudPart& part, int group)
 {
   SegmentMotion motion;
   motion.current_from_reference = part.target_from_source;
@@ -39,7 +39,7 @@ motionOf (const CloudPart& part, int body)
   motion.rank = 6;
   motion.status = MotionStatus::Determined;
   motion.points = part.points;
-  motion.body = body;
+  motion.group = group;
   motion.centroid = part.centroid;
   return motion;
 }
@@ -126,8 +126,8 @@ registerByNeighbors (const cv::Mat& source,
     fillPoint (found, i, points[i], flow);
     result.target[points[i]] = found.target[i];
   }
-  flow.bodies = static_cast<int> (found.parts.size());
-  flow.dominant_body = 0;
+  flow.groups = static_cast<int> (found.parts.size());
+  flow.dominant_group = 0;
   flow.dominant_motion = found.parts.front().target_from_source;
   hintAtLostGrid (source, target, found.report);
   flow.report = found.report;

@@ -215,7 +215,7 @@ PairStart::unexplained (const DataTerm& probes,
   std::vector<char> result (scene_.segments, 0);
   for (int k = 0; k < scene_.segments; ++k) {
     const DataTerm::Probe probe = probes.probe (k, poses[k]);
-    result[k] = probe.cost + probe.hidden * probe.weight * probes.unsupportedCost() >
+    result[k] = probe.cost + probe.hidden * probe.weight * probes.isolatedHiddenCost() >
                 scene_.tuning.start.unexplained * probe.weight;
   }
   return result;

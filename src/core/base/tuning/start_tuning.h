@@ -17,13 +17,13 @@ struct RigidFitTuning {
   float depth_weight{0.2f};   ///< pixels^2 per standard deviation^2
 };
 
-/** \brief Segments that jump. */
+/** \brief Poses that segments try. */
 struct ProposalTuning {
-  double own_way{0.05};         ///< cost that a motion of one's own must save
+  double own_penalty{0.05};     ///< cost of a candidate that is the segment's own
   double rough{0.2};            ///< of what links cost, as poses are rough yet
   double mostly_hidden{0.5};    ///< share of residuals: such a neighbour is no support
-  double clearly_better{0.995}; ///< factor that a jump must lower the cost by
-  int first_rounds{4};          ///< of jumps, at the start
+  double clearly_better{0.995}; ///< factor that a change must lower the cost by
+  int first_rounds{4};          ///< at the start
   int later_rounds{2};          ///< likewise, between levels
 };
 
