@@ -88,10 +88,11 @@ struct EnergyCost {
   double regularizer{0.0};
   double prior{0.0};
   double concatenation{0.0}; ///< Eq. 14; 0 for two frames
+  double flow{0.0}; ///< of optical flow, a guide at coarse levels; 0 at the finest
   double
   total () const
   {
-    return brightness + icp + regularizer + prior + concatenation;
+    return brightness + icp + regularizer + prior + concatenation + flow;
   }
 };
 

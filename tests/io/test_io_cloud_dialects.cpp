@@ -123,9 +123,9 @@ TEST_F (CloudDialects, IntensitiesOfFramesThatAreComparedGetOneUnit)
   const auto gray = [] (const io::RgbdImages& images) {
     return images.color.at<cv::Vec3b> (7, 7)[0];
   };
-  io::RgbdImages dark = read (cloud (0.5F)), light = read (cloud (102.0F), "b.pcd");
+  io::RgbdImages dark = read (cloud (1.0F)), light = read (cloud (102.0F), "b.pcd");
   io::unifyColors ({&dark, &light});
-  EXPECT_LE (gray (dark), 1) << "0.5 of 255";
+  EXPECT_LE (gray (dark), 1) << "1 of 255";
   EXPECT_EQ (gray (light), 102);
   dark = read (cloud (2000.0F));
   light = read (cloud (4000.0F), "b.pcd");
@@ -133,6 +133,8 @@ TEST_F (CloudDialects, IntensitiesOfFramesThatAreComparedGetOneUnit)
   io::unifyColors ({&dark, &light});
   EXPECT_NEAR (gray (dark), 124.5, 1.0) << "of 4095";
   EXPECT_NEAR (gray (light), 249, 1);
+  dark = read (cloud (0.5F));
+  EXPECT_THROW (io::unifyColors ({&dark, &light}), InvalidInput) << "two units";
 }
 
 TEST_F (CloudDialects, PaddingMayHaveNoValues)

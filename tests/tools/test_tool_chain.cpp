@@ -289,7 +289,8 @@ TEST_F (ToolChain, HelpSucceedsAndUnknownOptionsDoNot)
                                  "evaluate",
                                  "report",
                                  "render",
-                                 "view"}) {
+                                 "view",
+                                 "stream"}) {
     if (!hasTool (tool))
       continue;
     for (const char* option : {"--help", "-h"}) {

@@ -92,7 +92,7 @@ Assignment::probe (int segment, int body) const
   for (const PairTerms& pair : pairs_) {
     const DataTerm::Probe one =
         pair.sample->probe (segment, state_.poses[pair.pair][body]);
-    sum.cost += one.cost;
+    sum.cost += one.cost + tuning_.flow_worth * one.flow;
     sum.weight += one.weight;
     sum.hidden += one.hidden * one.weight;
   }

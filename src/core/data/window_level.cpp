@@ -50,11 +50,17 @@ WindowLevel::WindowLevel (const WindowScene& scene,
   for (const int p : scene.used) {
     const FramePairs::Pair& pair = scene.pairs[p];
     const auto term = [&] (const SegmentPixels& points) {
-      return std::make_unique<DataTerm> (
+      auto made = std::make_unique<DataTerm> (
           points,
           *textures_[pair.to],
           makeRules (energy, points, scene.tuning.data.missing),
           scene.threads);
+      // The finest level knows better: there the energy is the method's alone.
+      if (scene.flow)
+        made->setFlow (*scene.flow,
+                       1.0 / residualScale (energy, points),
+                       level > 0 ? scene.tuning.start.evidence.solving : 0.0);
+      return made;
     };
     data_[p] = term (pixels_[pair.from]);
     if (pair.from == scene.pairs.reference())

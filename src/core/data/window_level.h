@@ -33,7 +33,8 @@ struct WindowScene {
   /** ... or, as a window of several pairs needs it, all frames to the reference's: per
    * frame, its intensity from the reference's; empty leaves them as they are. */
   std::vector<BrightnessChange> exposure{};
-  double falloff{0.0};   ///< of brightness towards the corners, see fitFalloff
+  double falloff{0.0}; ///< of brightness towards the corners, see fitFalloff
+  std::unique_ptr<FlowEvidence> flow{}; ///< of the only pair; or none
   cv::Mat fused_depth{}; ///< of the reference, level 0, see fuseInverseDepth; or empty
 };
 

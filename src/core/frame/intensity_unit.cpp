@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/base/number_text.h"
 #include <pcl_msf/cloud_conversions.h>
+#include <pcl_msf/errors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +13,7 @@ namespace pcl_msf {
 namespace {
 
 constexpr double kHighlights = 0.05; // share of the positive values that has no say
+constexpr double kTens = 50.0;       // a unit of shares of 1 does not reach this
 
 /** What all positive values but the highlights stay below; 0 without one. */
 double
@@ -37,17 +40,42 @@ isRaw (const cv::Mat& image)
   return image.type() == CV_32FC1 && !image.empty();
 }
 
+bool
+hasFractions (const cv::Mat& image)
+{
+  return std::any_of (image.begin<float>(), image.end<float>(), [] (float v) {
+    return v != std::floor (v) && std::isfinite (v);
+  });
+}
+
+/** A dark image of whole numbers may be one in the dark, shares of 1 beside tens are
+ * another unit: no exposure changes that much. */
+void
+requireOneUnit (const std::vector<cv::Mat*>& images, const std::vector<double>& tops)
+{
+  const auto most = std::max_element (tops.begin(), tops.end());
+  for (std::size_t k = 0; k < tops.size(); ++k)
+    if (*most > kTens && tops[k] > 0.0 && tops[k] <= 1.0 && hasFractions (*images[k]))
+      throw InvalidInput ("intensity: image " + std::to_string (k) + " stays below " +
+                          generalText (tops[k]) + ", image " +
+                          std::to_string (most - tops.begin()) + " reaches " +
+                          generalText (*most) +
+                          "; give all that are compared in one unit");
+}
+
 } // namespace
 
 double
 intensityUnit (const std::vector<cv::Mat*>& images)
 {
-  double top = 0.0;
+  std::vector<double> tops;
   for (const cv::Mat* image : images) {
     if (!isRaw (*image))
       return 1.0;
-    top = std::max (top, brightest (*image));
+    tops.push_back (brightest (*image));
   }
+  requireOneUnit (images, tops);
+  const double top = tops.empty() ? 0.0 : *std::max_element (tops.begin(), tops.end());
   if (top <= 2.0)
     return top <= 1.0 ? 1.0 : 2.0;
   double unit = 255.0;

@@ -50,7 +50,7 @@ PoseProposals::cost (int segment, const RigidPose& pose) const
   const DataTerm::Probe probe = probes_.probe (segment, pose);
   const UnpackedPose own (pose);
   const double eta = energy_.prior_weight;
-  double sum = probe.cost;
+  double sum = probe.cost + flow_worth_ * probe.flow;
   double support = 0.0; // the strongest connection to a neighbour that is seen
   for (const Neighbor& n : neighbors_[segment]) {
     const double m = misfit (n.link, own, present_[n.segment]);

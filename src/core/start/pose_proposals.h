@@ -41,6 +41,14 @@ public:
     own_[segment].push_back (pose);
   }
 
+  /** \brief Has optical flow's say, too. \param residuals that it is worth, a segment
+   */
+  void
+  weighFlow (double residuals)
+  {
+    flow_worth_ = residuals;
+  }
+
   /** \brief Only these segments change; all may by default. */
   void
   restrictTo (std::vector<char> segments)
@@ -80,6 +88,7 @@ private:
   std::vector<std::vector<Neighbor>> neighbors_;
   std::vector<std::vector<RigidPose>> own_;
   std::vector<RigidPose> common_;
+  double flow_worth_{0.0};
   std::vector<char> moving_;          ///< per segment: may it change? empty = all may
   std::vector<UnpackedPose> present_; ///< poses of the round
   std::vector<char> visible_; ///< per segment: mostly visible at its present pose

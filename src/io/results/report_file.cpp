@@ -57,6 +57,7 @@ historyOf (const std::vector<IterationRecord>& records)
                         {"regularizer", record.terms.regularizer},
                         {"prior", record.terms.prior},
                         {"concatenation", record.terms.concatenation},
+                        {"flow", record.terms.flow},
                         {"seconds", record.seconds}});
   return history;
 }

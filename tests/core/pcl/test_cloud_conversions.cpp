@@ -76,6 +76,23 @@ TEST (CloudConversions, IntensitiesShareOneUnit)
   EXPECT_EQ (normalized (NAN, INFINITY), std::make_pair (0.0f, 0.0f));
 }
 
+TEST (CloudConversions, SharesOfOneBesideBytesAreRefused)
+{
+  cv::Mat shares (8, 8, CV_32FC1, cv::Scalar (0.75));
+  cv::Mat bytes (8, 8, CV_32FC1, cv::Scalar (191.0));
+  cv::Mat dark (8, 8, CV_32FC1, cv::Scalar (1.0)); // the lights are out
+  EXPECT_EQ (intensityUnit ({&bytes, &dark}), 255.0);
+  try {
+    intensityUnit ({&shares, &bytes});
+    FAIL();
+  }
+  catch (const InvalidInput& error) {
+    EXPECT_STREQ (error.what(),
+                  "intensity: image 0 stays below 0.75, image 1 reaches 191; give all "
+                  "that are compared in one unit");
+  }
+}
+
 TEST (CloudConversions, HighlightsHaveNoSayInTheUnit)
 {
   for (const double unit : {1.0, 255.0, 4095.0}) {

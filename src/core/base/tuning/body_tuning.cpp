@@ -16,6 +16,7 @@ listValues (BodyTuning& tuning, TunedValues& values)
       {"bodies.merging.largest", &merging.largest, 0, 1000},
       {"bodies.assignment.separation", &assignment.separation, 0, 100},
       {"bodies.assignment.window_separation", &assignment.window_separation, 0, 100},
+      {"bodies.assignment.flow_worth", &assignment.flow_worth, 0, 1000},
       {"bodies.assignment.prior", &assignment.prior, 0, 1e9},
       {"bodies.assignment.most_prior", &assignment.most_prior, 0, 100},
       {"bodies.assignment.rounds", &assignment.rounds, 0, 100},

@@ -36,6 +36,8 @@ struct AssignmentTuning {
                           ///< the largest body: what leaving it costs all of its
                           ///< independent residuals together ...
   double most_prior{0.5}; ///< ... and at the most the mean of them
+  double flow_worth{0.3}; ///< residuals that optical flow of a segment is worth:
+                          ///< little, as it errs over whole regions
   int rounds{3};
   int largest{6};            ///< bodies that every segment tries
   double mostly_hidden{0.5}; ///< share of residuals: such a neighbour is no support

@@ -10,6 +10,7 @@ listValues (StartTuning& tuning, TunedValues& values)
   RigidFitTuning& fit = tuning.fit;
   ProposalTuning& proposals = tuning.proposals;
   FlowTuning& flow = tuning.flow;
+  FlowEvidenceTuning& evidence = tuning.evidence;
   FarMotionTuning& far = tuning.far_motion;
   const TunedValues own{
       {"start.fit.smallest_scale", &fit.smallest_scale, 1e-3, 100},
@@ -33,6 +34,12 @@ listValues (StartTuning& tuning, TunedValues& values)
       {"start.flow.quarter_width", &flow.quarter_width, 64, 1e6},
       {"start.flow.quarter_depth_width", &flow.quarter_depth_width, 64, 1e6},
       {"start.flow.quarter_height", &flow.quarter_height, 64, 1e6},
+      {"start.evidence.samples", &evidence.samples, 1, 1000},
+      {"start.evidence.sigma", &evidence.sigma, 0.01, 100},
+      {"start.evidence.spread", &evidence.spread, 0, 100},
+      {"start.evidence.cap", &evidence.cap, 0.1, 1000},
+      {"start.evidence.solving", &evidence.solving, 0, 1000},
+      {"start.evidence.proposing", &evidence.proposing, 0, 1000},
       {"start.far_motion.features", &far.features, 10, 1e6},
       {"start.far_motion.distinct", &far.distinct, 0.1, 1},
       {"start.far_motion.group", &far.group, 3, 1000},

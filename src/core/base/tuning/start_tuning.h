@@ -42,6 +42,19 @@ struct FlowTuning {
   int quarter_height{128};      ///< and of both
 };
 
+/** \brief Optical flow as evidence beside the residuals; see "Optical flow is evidence"
+ * in DECISIONS.md. */
+struct FlowEvidenceTuning {
+  int samples{9};        ///< of a segment; more is slower
+  double sigma{1.0};     ///< pixels: of flow in rich texture
+  double spread{1.5};    ///< standard deviation by what a segment's rigid fit leaves
+  double cap{5.0};       ///< standard deviations: wrong flow weighs no more; more holds
+                         ///< segments to it from farther away
+  double solving{2.0};   ///< independent residuals that a segment's flow is worth, at
+                         ///< coarse levels of the solve,
+  double proposing{1.0}; ///< and at the start's jumps
+};
+
 /** \brief Matched features; see "Features where flow fails" in DECISIONS.md. */
 struct FarMotionTuning {
   int features{1500};   ///< strongest ones of a frame; more is slower
@@ -60,6 +73,7 @@ struct StartTuning {
   RigidFitTuning fit;
   ProposalTuning proposals;
   FlowTuning flow;
+  FlowEvidenceTuning evidence;
   FarMotionTuning far_motion;
   double unexplained{0.4}; ///< cost after the first start: the depth's flow is tried
   double lost{0.7};        ///< share of segments then: features are matched
