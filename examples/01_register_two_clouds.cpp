@@ -22,7 +22,7 @@ main (int argc, char** argv)
     return 1; // the reason is on stderr and in result.scene_flow.report.message
 
   std::cout << result.scene_flow.segments.size() << " segments, "
-            << result.scene_flow.bodies << " motion groups; the largest moves by\n"
+            << result.scene_flow.groups << " motion groups; the largest moves by\n"
             << result.scene_flow.dominant_motion.matrix() << "\n";
   const auto& p = (*reference) (80, 60);
   const auto& q = result.warped (80, 60); // organized like the reference

@@ -29,7 +29,7 @@ main ()
     const cv::Vec2f flow = result.flow.at<cv::Vec2f> (60, 80);
     const cv::Vec3f displacement = result.displacement.at<cv::Vec3f> (60, 80);
     std::cout << "the middle point moves by " << flow << " pixels, " << displacement
-              << " m; " << result.bodies << " motion groups\n";
+              << " m; " << result.groups << " motion groups\n";
     return result.report.converged ? 0 : 1;
   }
   catch (const InvalidInput& error) { // images that do not fit, and the remedy

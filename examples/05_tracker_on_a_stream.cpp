@@ -31,7 +31,7 @@ main ()
       continue; // the reason is on stderr; the next cloud is welcome
     ++known;
     std::cout << "since cloud " << tracker.getReferenceIndex() << ": "
-              << tracker.getSceneFlow().bodies << " motion groups, camera at "
+              << tracker.getSceneFlow().groups << " motion groups, camera at "
               << tracker.getCameraPose().topRightCorner<3, 1>().transpose() << " m\n";
   }
   sensor.join();

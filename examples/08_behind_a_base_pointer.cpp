@@ -35,6 +35,6 @@ main (int argc, char** argv)
   // What PCL's interface has no word for.
   using PiecewiseRigid = pcl_msf::PiecewiseRigidRegistration<pcl::PointXYZRGBA>;
   if (const auto* own = dynamic_cast<const PiecewiseRigid*> (registration.get()))
-    std::cout << own->getSceneFlow().bodies << " motion groups\n";
+    std::cout << own->getSceneFlow().groups << " motion groups\n";
   return registration->hasConverged() ? 0 : 1;
 }

@@ -160,7 +160,7 @@ void
 beginGroup (CLI::App& app, const std::string& title);
 
 /** \brief Reads "--name value", "--name=value", -h and the arguments without a name.
- * \return false when help, or another thing that ends the tool, was asked for, which is
+ * \return false when help, or another thing that ends the tool, was requested, which is
  * on stdout then \throws UsageError */
 bool
 readCommandLine (CLI::App& app, const std::vector<std::string>& words);

@@ -22,7 +22,7 @@ addImages (const fs::path& folder, const ResultPair& pair, SceneFlow& flow)
   const std::string reference = std::to_string (pair.reference);
   const std::string bodies = (folder / ("bodies_" + reference + ".png")).string();
   if (fs::exists (bodies))
-    io::setBodies (io::readLabels (bodies), flow);
+    io::setGroups (io::readLabels (bodies), flow);
   else
     flow.segments.clear();
   const std::string seen = (folder / ("visibility_" + reference + "_" +

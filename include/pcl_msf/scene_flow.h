@@ -32,8 +32,11 @@ struct SegmentMotion {
   MotionStatus status{MotionStatus::Undetermined};
   int points{0};         ///< points with depth
   int visible_points{0}; ///< of those, seen in the current frame, too
-  int body{-1}; ///< motion group: one rigid body, or several that the optimization
-                ///< kept connected; 0 = the largest
+  union {
+    int group{-1}; ///< motion group: one rigid body, or several that the optimization
+                   ///< kept connected; 0 = the largest
+    [[deprecated ("use group")]] int body;
+  };
   Eigen::Vector3d centroid{Eigen::Vector3d::Zero()}; ///< reference frame, metres
 };
 static_assert (alignof (SegmentMotion) == alignof (double) &&
@@ -50,7 +53,7 @@ struct GroupMotion {
 struct SegmentPair {
   int first{0};
   int second{0};
-  double weight{1.0}; ///< w_{j,h} of Eq. 10 and 11: 1 = move together, 0 = let go
+  double weight{1.0}; ///< w_{j,h} of Eq. 10 and 11: 1 = move together, 0 = independent
   double mixing{1.0}; ///< [0, 1]: how much the points between both centres follow a
                       ///< mean of both motions; 1 on a soft surface, 0 at an edge
 };
@@ -96,10 +99,11 @@ struct EnergyCost {
   double regularizer{0.0};
   double prior{0.0};
   double concatenation{0.0}; ///< Eq. 14; 0 for two frames
+  double flow{0.0}; ///< of optical flow, a guide at coarse levels; 0 at the finest
   double
   total () const
   {
-    return brightness + icp + regularizer + prior + concatenation;
+    return brightness + icp + regularizer + prior + concatenation + flow;
   }
 };
 
@@ -168,10 +172,16 @@ struct SceneFlow {
   cv::Mat displacement_deviation;
 
   std::vector<SegmentMotion> segments;
-  std::vector<GroupMotion> groups; ///< element g: segments with body = g
-  std::vector<SegmentPair> pairs;  ///< first < second
-  int bodies{0};                   ///< number of motion groups
-  int dominant_body{-1};           ///< the motion group with most points
+  std::vector<GroupMotion> group_motions; ///< element g: segments with group = g
+  std::vector<SegmentPair> pairs; ///< first < second
+  union {
+    int groups{0}; ///< number of motion groups
+    [[deprecated ("use groups")]] int bodies;
+  };
+  union {
+    int dominant_group{-1}; ///< the motion group with most points
+    [[deprecated ("use dominant_group")]] int dominant_body;
+  };
   RigidPose
       dominant_motion; ///< pose of its largest rigid body; its inverse is the camera's
                        ///< own motion when that group is the static scene

@@ -92,7 +92,7 @@ motionGroups (const SceneFlow& estimate)
     for (int x = 0; x < groups.cols; ++x) {
       const int k = estimate.labels.at<int> (y, x);
       if (k >= 0)
-        groups.at<int> (y, x) = estimate.segments[k].body;
+        groups.at<int> (y, x) = estimate.segments[k].group;
     }
   return groups;
 }

@@ -60,14 +60,14 @@ groupsNormalizedSquare (const SceneFlow& estimate,
                         const std::vector<int>& body_of,
                         const std::vector<std::optional<RigidPose>>& bodies)
 {
-  std::vector<std::map<int, long>> votes (estimate.groups.size());
+  std::vector<std::map<int, long>> votes (estimate.group_motions.size());
   for (std::size_t k = 0; k < body_of.size(); ++k) {
     const SegmentMotion& segment = estimate.segments[k];
-    const bool voting = segment.body >= 0 &&
-                        segment.body < static_cast<int> (votes.size()) &&
+    const bool voting = segment.group >= 0 &&
+                        segment.group < static_cast<int> (votes.size()) &&
                         segment.status == MotionStatus::Determined;
     if (voting)
-      votes[segment.body][body_of[k]] += segment.points;
+      votes[segment.group][body_of[k]] += segment.points;
   }
   std::vector<double> squares;
   for (std::size_t g = 0; g < votes.size(); ++g) {
@@ -78,7 +78,7 @@ groupsNormalizedSquare (const SceneFlow& estimate,
     if (most == votes[g].end() || most->first < 0 ||
         most->first >= static_cast<int> (bodies.size()) || !bodies[most->first])
       continue;
-    const GroupMotion& group = estimate.groups[g];
+    const GroupMotion& group = estimate.group_motions[g];
     squares.push_back (normalizedSquare (
         group.current_from_reference, group.information, *bodies[most->first]));
   }

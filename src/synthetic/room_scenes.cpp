@@ -9,10 +9,10 @@ namespace pcl_msf::synthetic {
 namespace {
 
 void
-addObject (SceneModel& scene, Chance& chance, int body, int kind)
+addObject (SceneModel& scene, Random& random, int body, int kind)
 {
-  const Texture main = anyTexture (chance), other = anyTexture (chance);
-  const double s = chance.uniform (0.8, 1.2);
+  const Texture main = anyTexture (random), other = anyTexture (random);
+  const double s = random.uniform (0.8, 1.2);
   switch (kind % 5) {
   case 0: // a box
     scene.addPart (body, placed (0, 0, 0), makeBox ({.22 * s, .17 * s, .15 * s}), main);
@@ -59,75 +59,75 @@ makePlain (SceneModel& scene)
 } // namespace
 
 SceneModel
-buildStaticRoom (Chance& chance)
+buildStaticRoom (Random& random)
 {
   SceneModel scene;
-  addRoom (scene, chance);
-  addFurniture (scene, chance);
-  scene.world_from_camera = handHeld (chance, 1.3);
+  addRoom (scene, random);
+  addFurniture (scene, random);
+  scene.world_from_camera = handHeld (random, 1.3);
   return scene;
 }
 
 SceneModel
-buildMultiBody (Chance& chance, bool plain)
+buildMultiBody (Random& random, bool plain)
 {
   SceneModel scene;
-  addRoom (scene, chance);
-  addFurniture (scene, chance);
-  const int first_kind = chance.below (5);
+  addRoom (scene, random);
+  addFurniture (scene, random);
+  const int first_kind = random.below (5);
   for (int i = 0; i < 5; ++i) {
     const double column = i < 3 ? -0.75 + 0.75 * i : -0.4 + 0.8 * (i - 3);
-    const Isometry rest = placed (column + chance.uniform (-0.08, 0.08),
-                                  (i < 3 ? -0.28 : 0.38) + chance.uniform (-0.06, 0.06),
-                                  chance.uniform (1.7, 2.2),
-                                  40.0 * chance.direction());
+    const Isometry rest = placed (column + random.uniform (-0.08, 0.08),
+                                  (i < 3 ? -0.28 : 0.38) + random.uniform (-0.06, 0.06),
+                                  random.uniform (1.7, 2.2),
+                                  40.0 * random.direction());
     const Motion motion = swing (rest,
-                                 0.014 * chance.direction(),
-                                 0.03 * chance.direction(),
-                                 chance.uniform (-0.5, 0.5));
+                                 0.014 * random.direction(),
+                                 0.03 * random.direction(),
+                                 random.uniform (-0.5, 0.5));
     const int body = scene.addBody ("object_" + std::to_string (i + 1), motion);
-    addObject (scene, chance, body, first_kind + i);
+    addObject (scene, random, body, first_kind + i);
   }
   if (plain)
     makePlain (scene);
-  scene.world_from_camera = handHeld (chance, 0.7);
+  scene.world_from_camera = handHeld (random, 0.7);
   return scene;
 }
 
 SceneModel
-buildBending (Chance& chance)
+buildBending (Random& random)
 {
   SceneModel scene;
-  addRoom (scene, chance);
-  addFurniture (scene, chance);
-  const Motion motion = swing (placed (0, -0.05, 1.75, {0, 20.0 * chance.sign(), 5}),
-                               0.006 * chance.direction(),
-                               0.01 * chance.direction(),
+  addRoom (scene, random);
+  addFurniture (scene, random);
+  const Motion motion = swing (placed (0, -0.05, 1.75, {0, 20.0 * random.sign(), 5}),
+                               0.006 * random.direction(),
+                               0.01 * random.direction(),
                                0.0);
   const int body = scene.addBody ("sheet", motion, false);
-  Part& part = scene.addPart (body, placed (0, 0, 0), nullptr, anyTexture (chance));
-  part.soft = makeBendingSheet ({0.6, 0.42}, chance.uniform (-0.4, 0.4));
+  Part& part = scene.addPart (body, placed (0, 0, 0), nullptr, anyTexture (random));
+  part.soft = makeBendingSheet ({0.6, 0.42}, random.uniform (-0.4, 0.4));
   part.texture.pattern = Pattern::Patches;
-  scene.world_from_camera = handHeld (chance, 0.5);
+  scene.world_from_camera = handHeld (random, 0.5);
   return scene;
 }
 
 SceneModel
-buildBreathing (Chance& chance)
+buildBreathing (Random& random)
 {
   SceneModel scene;
-  addRoom (scene, chance);
-  addFurniture (scene, chance);
-  const double side = chance.sign();
-  const Motion motion = swing (placed (0, 0.05, 1.6, {0, 10.0 * chance.sign(), 0}),
-                               {0.006 * side, chance.uniform (-.003, .003), 0.0},
-                               {chance.uniform (-0.006, 0.006), 0.012 * side, 0.0},
+  addRoom (scene, random);
+  addFurniture (scene, random);
+  const double side = random.sign();
+  const Motion motion = swing (placed (0, 0.05, 1.6, {0, 10.0 * random.sign(), 0}),
+                               {0.006 * side, random.uniform (-.003, .003), 0.0},
+                               {random.uniform (-0.006, 0.006), 0.012 * side, 0.0},
                                0.0);
   const int body = scene.addBody ("torso", motion, false);
-  Part& part = scene.addPart (body, placed (0, 0, 0), nullptr, anyTexture (chance));
-  part.soft = makeBreathingTorso ({0.62, 0.5}, chance.uniform (-0.4, 0.4));
+  Part& part = scene.addPart (body, placed (0, 0, 0), nullptr, anyTexture (random));
+  part.soft = makeBreathingTorso ({0.62, 0.5}, random.uniform (-0.4, 0.4));
   part.texture.pattern = Pattern::Patches;
-  scene.world_from_camera = handHeld (chance, 0.3);
+  scene.world_from_camera = handHeld (random, 0.3);
   return scene;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include <synthetic/chance.h>
+#include <synthetic/random.h>
 #include <synthetic/scene_model.h>
 
 namespace pcl_msf::synthetic {
@@ -11,28 +11,28 @@ namespace pcl_msf::synthetic {
 // chosen for about four pixels of motion; the sequence's rate is fitted to the picture.
 
 SceneModel
-buildStaticRoom (Chance& chance);
+buildStaticRoom (Random& random);
 
 /** \param plain faint marks instead of textures */
 SceneModel
-buildMultiBody (Chance& chance, bool plain);
+buildMultiBody (Random& random, bool plain);
 
 SceneModel
-buildArticulated (Chance& chance);
+buildArticulated (Random& random);
 
 SceneModel
-buildHand (Chance& chance);
+buildHand (Random& random);
 
 SceneModel
-buildBending (Chance& chance);
+buildBending (Random& random);
 
 SceneModel
-buildBreathing (Chance& chance);
+buildBreathing (Random& random);
 
 SceneModel
-buildStreet (Chance& chance);
+buildStreet (Random& random);
 
 SceneModel
-buildThinStructures (Chance& chance);
+buildThinStructures (Random& random);
 
 } // namespace pcl_msf::synthetic

@@ -29,26 +29,26 @@ SceneModel::addPart (int body,
 SceneModel
 buildScene (SceneKind scene, unsigned seed)
 {
-  Chance chance (1000003ULL * seed + static_cast<unsigned> (scene));
+  Random random (1000003ULL * seed + static_cast<unsigned> (scene));
   switch (scene) {
   case SceneKind::StaticRoom:
-    return buildStaticRoom (chance);
+    return buildStaticRoom (random);
   case SceneKind::MultiBody:
-    return buildMultiBody (chance, false);
+    return buildMultiBody (random, false);
   case SceneKind::Articulated:
-    return buildArticulated (chance);
+    return buildArticulated (random);
   case SceneKind::Hand:
-    return buildHand (chance);
+    return buildHand (random);
   case SceneKind::Bending:
-    return buildBending (chance);
+    return buildBending (random);
   case SceneKind::Breathing:
-    return buildBreathing (chance);
+    return buildBreathing (random);
   case SceneKind::Street:
-    return buildStreet (chance);
+    return buildStreet (random);
   case SceneKind::TexturePoor:
-    return buildMultiBody (chance, true);
+    return buildMultiBody (random, true);
   case SceneKind::ThinStructures:
-    return buildThinStructures (chance);
+    return buildThinStructures (random);
   }
   return {};
 }

@@ -67,23 +67,23 @@ atRest ()
 }
 
 Motion
-handHeld (Chance& chance, double strength)
+handHeld (Random& random, double strength)
 {
   // Going right and turning right both move the image to the left.
-  const double side = chance.sign();
+  const double side = random.sign();
   const Eigen::Vector3d speed = 0.011 * strength *
-                                Eigen::Vector3d (side * chance.uniform (0.5, 1.0),
-                                                 chance.uniform (-0.4, 0.4),
-                                                 chance.uniform (-0.8, 0.8));
+                                Eigen::Vector3d (side * random.uniform (0.5, 1.0),
+                                                 random.uniform (-0.4, 0.4),
+                                                 random.uniform (-0.8, 0.8));
   const Eigen::Vector3d turn = 0.0035 * strength *
-                               Eigen::Vector3d (chance.uniform (-0.6, 0.6),
-                                                side * chance.uniform (0.3, 1.0),
-                                                chance.uniform (-0.8, 0.8));
-  return swing (Isometry::Identity(), speed, turn, chance.uniform (-0.5, 0.5));
+                               Eigen::Vector3d (random.uniform (-0.6, 0.6),
+                                                side * random.uniform (0.3, 1.0),
+                                                random.uniform (-0.8, 0.8));
+  return swing (Isometry::Identity(), speed, turn, random.uniform (-0.5, 0.5));
 }
 
 Texture
-texture (Chance& chance,
+texture (Random& random,
          const Eigen::Vector3f& bgr,
          Pattern pattern,
          const Eigen::Vector3f& second,
@@ -95,58 +95,58 @@ texture (Chance& chance,
   result.pattern = pattern;
   result.pattern_size = pattern_size;
   for (int a = 0; a < 3; ++a)
-    result.offset[a] = static_cast<float> (chance.uniform (-20.0, 20.0));
+    result.offset[a] = static_cast<float> (random.uniform (-20.0, 20.0));
   return result;
 }
 
 Texture
-anyTexture (Chance& chance)
+anyTexture (Random& random)
 {
   constexpr int colors = sizeof palette / sizeof palette[0];
-  const Eigen::Vector3f first = palette[chance.below (colors)];
-  const Eigen::Vector3f second = palette[chance.below (colors)] * 0.75f;
+  const Eigen::Vector3f first = palette[random.below (colors)];
+  const Eigen::Vector3f second = palette[random.below (colors)] * 0.75f;
   const Pattern patterns[] = {
       Pattern::Plain, Pattern::Patches, Pattern::Tiles, Pattern::Stripes};
-  const Pattern pattern = patterns[chance.below (4)];
-  const float size = static_cast<float> (chance.uniform (0.06, 0.16));
-  return texture (chance, first, pattern, second, size);
+  const Pattern pattern = patterns[random.below (4)];
+  const float size = static_cast<float> (random.uniform (0.06, 0.16));
+  return texture (random, first, pattern, second, size);
 }
 
 void
-addRoom (SceneModel& scene, Chance& chance, double back)
+addRoom (SceneModel& scene, Random& random, double back)
 {
   const int room = scene.addBody ("static", atRest());
   const Texture wall =
-      texture (chance, {175, 190, 200}, Pattern::Stripes, {160, 178, 192}, 0.6f);
+      texture (random, {175, 190, 200}, Pattern::Stripes, {160, 178, 192}, 0.6f);
   const double front = -1.6, middle = 0.5 * (front + back);
   const double depth = 0.5 * (back - front);
   scene.addPart (room, placed (0, -0.15, middle), makeRoom ({2.8, 1.35, depth}), wall);
   const Texture planks =
-      texture (chance, {85, 125, 165}, Pattern::Tiles, {40, 65, 90}, 0.45f);
+      texture (random, {85, 125, 165}, Pattern::Tiles, {40, 65, 90}, 0.45f);
   scene.addPart (
       room, placed (0, 1.2, middle), makeBox ({2.79, 0.005, depth - 0.01}), planks);
   // Pictures on the back wall.
   for (int i = 0; i < 3; ++i) {
-    const double x = -1.7 + 1.6 * i + chance.uniform (-0.2, 0.2);
-    const double y = chance.uniform (-0.7, -0.3);
+    const double x = -1.7 + 1.6 * i + random.uniform (-0.2, 0.2);
+    const double y = random.uniform (-0.7, -0.3);
     const Eigen::Vector3d half (
-        chance.uniform (0.25, 0.5), chance.uniform (0.2, 0.35), 0.02);
+        random.uniform (0.25, 0.5), random.uniform (0.2, 0.35), 0.02);
     scene.addPart (room,
                    placed (x, y, back - 0.02),
                    makeBox (half + Eigen::Vector3d (0.03, 0.03, -0.005)),
-                   texture (chance, {45, 50, 60}));
+                   texture (random, {45, 50, 60}));
     scene.addPart (
-        room, placed (x, y, back - 0.03), makeBox (half), anyTexture (chance));
+        room, placed (x, y, back - 0.03), makeBox (half), anyTexture (random));
   }
 }
 
 void
-addFurniture (SceneModel& scene, Chance& chance)
+addFurniture (SceneModel& scene, Random& random)
 {
-  const double side = chance.sign();
+  const double side = random.sign();
   const Texture wood =
-      texture (chance, {70, 110, 160}, Pattern::Patches, {60, 95, 140}, 0.08f);
-  const double x = 0.9 * side, z = chance.uniform (2.7, 3.1);
+      texture (random, {70, 110, 160}, Pattern::Patches, {60, 95, 140}, 0.08f);
+  const double x = 0.9 * side, z = random.uniform (2.7, 3.1);
   scene.addPart (0, placed (x, 0.45, z), makeBox ({0.7, 0.025, 0.4}), wood);
   for (int leg = 0; leg < 4; ++leg)
     scene.addPart (
@@ -155,13 +155,13 @@ addFurniture (SceneModel& scene, Chance& chance)
         makeBox ({0.035, 0.36, 0.035}),
         wood);
   scene.addPart (0,
-                 placed (x - 0.25, 0.28, z, {0, chance.uniform (-40, 40), 0}),
+                 placed (x - 0.25, 0.28, z, {0, random.uniform (-40, 40), 0}),
                  makeBox ({0.16, 0.145, 0.12}),
-                 anyTexture (chance));
+                 anyTexture (random));
   scene.addPart (0,
                  placed (x + 0.3, 0.27, z - 0.05),
                  makeEllipsoid ({0.16, 0.155, 0.16}),
-                 anyTexture (chance));
+                 anyTexture (random));
   // A shelf, a ball, a lamp and boxes on the other side.
   const double sx = -1.5 * side;
   scene.addPart (0, placed (sx, 0.35, 4.0), makeBox ({0.5, 0.84, 0.2}), wood);
@@ -169,23 +169,23 @@ addFurniture (SceneModel& scene, Chance& chance)
     scene.addPart (0,
                    placed (sx, -0.2 + 0.5 * shelf, 3.85),
                    makeBox ({0.43, 0.19, 0.12}),
-                   anyTexture (chance));
+                   anyTexture (random));
   scene.addPart (0,
                  placed (-0.75 * side, 0.93, 3.0),
                  makeEllipsoid ({0.26, 0.26, 0.26}),
-                 anyTexture (chance));
+                 anyTexture (random));
   scene.addPart (0,
-                 placed (-1.7 * side, 0.85, 2.6, {0, chance.uniform (-40, 40), 0}),
+                 placed (-1.7 * side, 0.85, 2.6, {0, random.uniform (-40, 40), 0}),
                  makeBox ({0.3, 0.34, 0.3}),
-                 anyTexture (chance));
+                 anyTexture (random));
   scene.addPart (0,
                  placed (2.1 * side, 0.4, 3.9, {90, 0, 0}),
                  makeCylinder (0.8, 0.04),
-                 texture (chance, {60, 60, 60}));
+                 texture (random, {60, 60, 60}));
   scene.addPart (0,
                  placed (2.1 * side, -0.5, 3.9),
                  makeEllipsoid ({0.24, 0.2, 0.24}),
-                 texture (chance, {150, 215, 235}));
+                 texture (random, {150, 215, 235}));
 }
 
 } // namespace pcl_msf::synthetic

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include <synthetic/chance.h>
+#include <synthetic/random.h>
 #include <synthetic/scene_model.h>
 
 namespace pcl_msf::synthetic {
@@ -36,15 +36,15 @@ atRest ();
 /** \brief A camera in somebody's hand: all six freedoms. \param strength 1 = about 3
  * pixels per phase at 3 m */
 Motion
-handHeld (Chance& chance, double strength);
+handHeld (Random& random, double strength);
 
 /** \brief A texture of random hue, offset and pattern. */
 Texture
-anyTexture (Chance& chance);
+anyTexture (Random& random);
 
 /** \brief A texture of given colours. */
 Texture
-texture (Chance& chance,
+texture (Random& random,
          const Eigen::Vector3f& bgr,
          Pattern pattern = Pattern::Plain,
          const Eigen::Vector3f& second = {90.0f, 90.0f, 90.0f},
@@ -53,10 +53,10 @@ texture (Chance& chance,
 /** \brief Floor, walls, ceiling of a room around the camera as body 0, "static": 5.6 m
  * wide, floor at y = 1.2, back wall at z = back. */
 void
-addRoom (SceneModel& scene, Chance& chance, double back = 4.6);
+addRoom (SceneModel& scene, Random& random, double back = 4.6);
 
 /** \brief Table, shelf, boxes, ball, lamp: parts of body 0. */
 void
-addFurniture (SceneModel& scene, Chance& chance);
+addFurniture (SceneModel& scene, Random& random);
 
 } // namespace pcl_msf::synthetic

@@ -54,9 +54,9 @@ rateFor (const SceneModel& scene,
 }
 
 /** A scene with what its frames share, while it is drawn. */
-class Studio {
+class SequenceRenderer {
 public:
-  explicit Studio (const SequenceOptions& options)
+  explicit SequenceRenderer (const SequenceOptions& options)
   : options_ (options)
   , threads_ (threadCount (options.threads))
   , scene_ (buildScene (options.scene, options.seed))
@@ -99,7 +99,7 @@ private:
 
 /** What the camera's rows see while it reads them. */
 ImageViews
-Studio::imageAt (double frame, const Lens& lens) const
+SequenceRenderer::imageAt (double frame, const Lens& lens) const
 {
   const cv::Size size (options_.width, options_.height);
   const double share = options_.effects.rolling_shutter;
@@ -114,9 +114,9 @@ Studio::imageAt (double frame, const Lens& lens) const
 }
 
 cv::Mat
-Studio::colorAt (double frame,
-                 const ImageViews& views,
-                 const std::vector<ViewHit>& hits) const
+SequenceRenderer::colorAt (double frame,
+                           const ImageViews& views,
+                           const std::vector<ViewHit>& hits) const
 {
   if (!options_.motion_blur)
     return renderer_.render (views, hits, threads_);
@@ -131,9 +131,9 @@ Studio::colorAt (double frame,
 
 /** \param view ideal, with its hits */
 SyntheticFrame
-Studio::frameAt (int frame,
-                 const FrameView& view,
-                 const std::vector<ViewHit>& hits) const
+SequenceRenderer::frameAt (int frame,
+                           const FrameView& view,
+                           const std::vector<ViewHit>& hits) const
 {
   const CameraEffects& effects = options_.effects;
   const Lens color_lens{effects.distortion};
@@ -165,7 +165,7 @@ Studio::frameAt (int frame,
 }
 
 void
-Studio::addPoses (int frame, SyntheticSequence& sequence) const
+SequenceRenderer::addPoses (int frame, SyntheticSequence& sequence) const
 {
   const double phase = rate_ * frame;
   const Isometry world_from_frame = scene_.world_from_camera (phase);
@@ -184,7 +184,7 @@ Studio::addPoses (int frame, SyntheticSequence& sequence) const
 }
 
 SyntheticSequence
-Studio::draw() const
+SequenceRenderer::draw() const
 {
   SyntheticSequence sequence;
   sequence.options = options_;
@@ -215,7 +215,7 @@ synthesize (const SequenceOptions& options)
   std::string why;
   if (!options.isValid (&why))
     throw InvalidInput ("cannot synthesize a sequence: " + why);
-  return Studio (options).draw();
+  return SequenceRenderer (options).draw();
 }
 
 } // namespace pcl_msf::synthetic

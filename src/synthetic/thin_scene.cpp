@@ -10,7 +10,7 @@ namespace {
 
 [[gnu::flatten]] void // so that none of Eigen's functions for aligned types is left
 addRod (SceneModel& scene,
-        Chance& chance,
+        Random& random,
         int body,
         const Eigen::Vector3d& from,
         const Eigen::Vector3d& to,
@@ -21,13 +21,13 @@ addRod (SceneModel& scene,
   pose.linear() = Eigen::Quaterniond::FromTwoVectors (Eigen::Vector3d::UnitZ(), axis)
                       .toRotationMatrix();
   pose.translation() = from;
-  scene.addPart (body, pose, makeCapsule (axis.norm(), radius), anyTexture (chance));
+  scene.addPart (body, pose, makeCapsule (axis.norm(), radius), anyTexture (random));
 }
 
 /** The edges of a box. */
 void
 addFrame (
-    SceneModel& scene, Chance& chance, int body, const Eigen::Vector3d& half, double r)
+    SceneModel& scene, Random& random, int body, const Eigen::Vector3d& half, double r)
 {
   for (int axis = 0; axis < 3; ++axis)
     for (int corner = 0; corner < 4; ++corner) {
@@ -36,39 +36,39 @@ addFrame (
       from[(axis + 2) % 3] *= corner / 2 ? -1.0 : 1.0;
       Eigen::Vector3d to = from;
       to[axis] = half[axis];
-      addRod (scene, chance, body, from, to, r);
+      addRod (scene, random, body, from, to, r);
     }
 }
 
 void
-addLadder (SceneModel& scene, Chance& chance, int body)
+addLadder (SceneModel& scene, Random& random, int body)
 {
   for (const double x : {-0.16, 0.16})
-    addRod (scene, chance, body, {x, -0.5, 0}, {x, 0.5, 0}, 0.014);
+    addRod (scene, random, body, {x, -0.5, 0}, {x, 0.5, 0}, 0.014);
   for (int i = 0; i < 7; ++i) {
     const double y = -0.42 + 0.14 * i;
-    addRod (scene, chance, body, {-0.16, y, 0}, {0.16, y, 0}, 0.009);
+    addRod (scene, random, body, {-0.16, y, 0}, {0.16, y, 0}, 0.009);
   }
 }
 
 } // namespace
 
 SceneModel
-buildThinStructures (Chance& chance)
+buildThinStructures (Random& random)
 {
   SceneModel scene;
-  addRoom (scene, chance, 3.8);
-  addFurniture (scene, chance);
+  addRoom (scene, random, 3.8);
+  addFurniture (scene, random);
   // A fence and wires stand still.
   for (int i = 0; i < 9; ++i) {
     const double x = -1.3 + 0.32 * i;
-    addRod (scene, chance, 0, {x, 0.35, 2.3}, {x, 1.2, 2.3}, 0.012);
+    addRod (scene, random, 0, {x, 0.35, 2.3}, {x, 1.2, 2.3}, 0.012);
   }
   for (const double y : {0.45, 0.8})
-    addRod (scene, chance, 0, {-1.4, y, 2.33}, {1.4, y, 2.33}, 0.01);
+    addRod (scene, random, 0, {-1.4, y, 2.33}, {1.4, y, 2.33}, 0.01);
   for (int i = 0; i < 3; ++i)
     addRod (scene,
-            chance,
+            random,
             0,
             {-1.5, -0.75 + 0.1 * i, 1.9},
             {1.5, -0.65 + 0.05 * i, 1.9},
@@ -79,20 +79,20 @@ buildThinStructures (Chance& chance)
   for (int i = 0; i < 3; ++i) {
     const int body = scene.addBody ("thin_" + std::to_string (i + 1),
                                     swing (rests[i],
-                                           0.012 * chance.direction(),
-                                           0.025 * chance.direction(),
-                                           chance.uniform (-0.5, 0.5)));
+                                           0.012 * random.direction(),
+                                           0.025 * random.direction(),
+                                           random.uniform (-0.5, 0.5)));
     if (i == 0)
-      addFrame (scene, chance, body, {0.2, 0.3, 0.15}, 0.012);
+      addFrame (scene, random, body, {0.2, 0.3, 0.15}, 0.012);
     else if (i == 1)
-      addLadder (scene, chance, body);
+      addLadder (scene, random, body);
     else // a board with a thin edge, and a rod through it
       scene.addPart (
-          body, placed (0, 0, 0), makeBox ({0.01, 0.35, 0.2}), anyTexture (chance));
+          body, placed (0, 0, 0), makeBox ({0.01, 0.35, 0.2}), anyTexture (random));
     if (i == 2)
-      addRod (scene, chance, body, {-0.25, 0, 0}, {0.25, 0, 0}, 0.015);
+      addRod (scene, random, body, {-0.25, 0, 0}, {0.25, 0, 0}, 0.015);
   }
-  scene.world_from_camera = handHeld (chance, 0.6);
+  scene.world_from_camera = handHeld (random, 0.6);
   return scene;
 }
 

@@ -49,7 +49,7 @@ disparityStep (const cv::Mat& depth, int u, int v)
   return largest;
 }
 
-/** Chance that a pixel gives no measurement. */
+/** Probability that a pixel gives no measurement. */
 double
 lossAt (
     const cv::Mat& depth, const ViewHit& hit, const Eigen::Vector3d& ray, int u, int v)

@@ -4,7 +4,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "io/base/figure_parts.h"
+#include "io/base/drawing.h"
 #include "visualization/text.h"
 
 #include <algorithm>
@@ -16,9 +16,9 @@ namespace pcl_msf::visualization {
 namespace {
 
 /** Where and in which colours things are drawn on one picture. */
-class Pen {
+class Canvas {
 public:
-  Pen (cv::Mat& picture, const PictureStyle& style) : picture_ (picture)
+  Canvas (cv::Mat& picture, const PictureStyle& style) : picture_ (picture)
   {
     const cv::Vec3b& b = style.background;
     const bool dark = 0.114 * b[0] + 0.587 * b[1] + 0.299 * b[2] < 128.0;
@@ -76,58 +76,59 @@ private:
 };
 
 void
-drawTitleAndLegend (Pen& pen, const Scene& scene, const PictureStyle& style)
+drawTitleAndLegend (Canvas& canvas, const Scene& scene, const PictureStyle& style)
 {
   const bool title = style.title && !scene.title.empty();
   const std::size_t entries = style.legend ? scene.legend.size() : 0;
   if (!title && entries == 0)
     return;
-  const int swatch = pen.line() * 6 / 10;
-  int width = title ? pen.width (scene.title, true) : 0;
+  const int swatch = canvas.line() * 6 / 10;
+  int width = title ? canvas.width (scene.title, true) : 0;
   for (std::size_t i = 0; i < entries; ++i)
-    width = std::max (width, pen.width (scene.legend[i].text) + pen.line());
+    width = std::max (width, canvas.width (scene.legend[i].text) + canvas.line());
   const int rows = static_cast<int> (entries) + (title ? 1 : 0);
-  pen.box ({0, 0, width + 2 * pen.margin(), rows * pen.line() + pen.margin()});
-  cv::Point at (pen.margin(), pen.margin() / 2);
+  canvas.box (
+      {0, 0, width + 2 * canvas.margin(), rows * canvas.line() + canvas.margin()});
+  cv::Point at (canvas.margin(), canvas.margin() / 2);
   if (title) {
-    pen.text (scene.title, at, true);
-    at.y += pen.line();
+    canvas.text (scene.title, at, true);
+    at.y += canvas.line();
   }
-  for (std::size_t i = 0; i < entries; ++i, at.y += pen.line()) {
-    const cv::Point corner = at + cv::Point (0, (pen.line() - swatch) / 2);
-    cv::rectangle (pen.picture(),
+  for (std::size_t i = 0; i < entries; ++i, at.y += canvas.line()) {
+    const cv::Point corner = at + cv::Point (0, (canvas.line() - swatch) / 2);
+    cv::rectangle (canvas.picture(),
                    cv::Rect (corner, cv::Size (swatch, swatch)),
                    cv::Scalar (scene.legend[i].color),
                    cv::FILLED);
-    pen.text (scene.legend[i].text, at + cv::Point (pen.line(), 0));
+    canvas.text (scene.legend[i].text, at + cv::Point (canvas.line(), 0));
   }
 }
 
 void
-drawScale (Pen& pen, const ColorScale& scale)
+drawScale (Canvas& canvas, const ColorScale& scale)
 {
-  const int width = std::max (6 * pen.line(), pen.width (scale.title));
-  const int bar = pen.line() / 2;
-  const int height = 2 * pen.line() + bar;
-  const cv::Size whole (width + 2 * pen.margin(), height + pen.margin());
-  const cv::Point corner (pen.picture().cols - whole.width,
-                          pen.picture().rows - whole.height);
-  pen.box ({corner, whole});
+  const int width = std::max (6 * canvas.line(), canvas.width (scale.title));
+  const int bar = canvas.line() / 2;
+  const int height = 2 * canvas.line() + bar;
+  const cv::Size whole (width + 2 * canvas.margin(), height + canvas.margin());
+  const cv::Point corner (canvas.picture().cols - whole.width,
+                          canvas.picture().rows - whole.height);
+  canvas.box ({corner, whole});
   cv::Mat ramp (bar, width, CV_8UC1);
   for (int col = 0; col < width; ++col)
     ramp.col (col).setTo (255 * col / std::max (1, width - 1));
   cv::Mat colors;
   cv::applyColorMap (ramp, colors, scale.color_map);
-  const cv::Point left = corner + cv::Point (pen.margin(), pen.margin() / 2);
-  pen.text (scale.title, left);
-  const cv::Rect place (left + cv::Point (0, pen.line()), colors.size());
-  if ((place & cv::Rect ({}, pen.picture().size())) == place)
-    colors.copyTo (pen.picture() (place));
-  const int below = left.y + pen.line() + bar;
-  pen.text (io::shortNumber (scale.minimum), {left.x, below});
+  const cv::Point left = corner + cv::Point (canvas.margin(), canvas.margin() / 2);
+  canvas.text (scale.title, left);
+  const cv::Rect place (left + cv::Point (0, canvas.line()), colors.size());
+  if ((place & cv::Rect ({}, canvas.picture().size())) == place)
+    colors.copyTo (canvas.picture() (place));
+  const int below = left.y + canvas.line() + bar;
+  canvas.text (io::shortNumber (scale.minimum), {left.x, below});
   const std::string high =
       (scale.open ? "\u2265 " : "") + io::shortNumber (scale.maximum);
-  pen.text (high, {left.x + width - pen.width (high), below});
+  canvas.text (high, {left.x + width - canvas.width (high), below});
 }
 
 /** One of the scene's directions as the view sees it. */
@@ -152,10 +153,10 @@ sortedAxes (const View& view)
 
 /** Draws the directions in the lower left corner. \return the width that they take */
 int
-drawAxes (Pen& pen, const View& view)
+drawAxes (Canvas& canvas, const View& view)
 {
   const std::array<Axis, 3> axes = sortedAxes (view);
-  const double length = 1.4 * pen.line();
+  const double length = 1.4 * canvas.line();
   const double reach = 1.3 * length; // from the origin to the middle of a letter
   cv::Point2d low, high;
   for (const Axis& axis : axes) {
@@ -164,52 +165,52 @@ drawAxes (Pen& pen, const View& view)
     high.x = std::max (high.x, reach * axis.direction.x());
     high.y = std::max (high.y, reach * axis.direction.y());
   }
-  const double half = 0.5 * pen.line();
-  const cv::Point2d origin (pen.margin() + half - low.x,
-                            pen.picture().rows - half - high.y);
-  const int width = cvRound (origin.x + high.x + half) + pen.margin() / 2;
+  const double half = 0.5 * canvas.line();
+  const cv::Point2d origin (canvas.margin() + half - low.x,
+                            canvas.picture().rows - half - high.y);
+  const int width = cvRound (origin.x + high.x + half) + canvas.margin() / 2;
   const int top = cvRound (origin.y + low.y - half);
-  pen.box (cv::Rect (0, top, width, pen.picture().rows - top));
+  canvas.box (cv::Rect (0, top, width, canvas.picture().rows - top));
   constexpr int kShift = 4; // cv draws between pixels with this many bits
   const auto fixed = [] (const cv::Point2d& p) {
     return cv::Point (cvRound (p.x * (1 << kShift)), cvRound (p.y * (1 << kShift)));
   };
   for (const Axis& axis : axes) {
     const cv::Point2d d (axis.direction.x(), axis.direction.y());
-    cv::line (pen.picture(),
+    cv::line (canvas.picture(),
               fixed (origin),
               fixed (origin + length * d),
               axis.color,
-              std::max (1, pen.line() / 8),
+              std::max (1, canvas.line() / 8),
               cv::LINE_AA,
               kShift);
     const cv::Point2d middle = origin + reach * d;
-    const cv::Point corner (cvRound (middle.x) - pen.width (axis.name) / 2,
+    const cv::Point corner (cvRound (middle.x) - canvas.width (axis.name) / 2,
                             cvRound (middle.y - half));
     if (cv::norm (d) > 0.25)
-      drawLine (pen.picture(), axis.name, corner, pen.line(), axis.color, true);
+      drawLine (canvas.picture(), axis.name, corner, canvas.line(), axis.color, true);
   }
   return width;
 }
 
 /** A length in metres; only a parallel view has one for all depths. */
 void
-drawLength (Pen& pen, const View& view, int left)
+drawLength (Canvas& canvas, const View& view, int left)
 {
-  const double metres = roundLength (0.2 * pen.picture().cols / view.scale);
+  const double metres = roundLength (0.2 * canvas.picture().cols / view.scale);
   const int width = cvRound (metres * view.scale);
   const std::string words = io::shortNumber (metres) + " m";
-  const int thick = std::max (2, pen.line() / 6);
-  const int top = pen.picture().rows - pen.line() - thick - pen.margin();
-  const int wide = std::max (width, pen.width (words));
-  pen.box ({left,
-            top - pen.margin() / 2,
-            wide + 2 * pen.margin(),
-            pen.picture().rows - top});
-  pen.text (words, {left + pen.margin(), top});
-  cv::rectangle (pen.picture(),
-                 cv::Rect (left + pen.margin(), top + pen.line(), width, thick),
-                 pen.ink(),
+  const int thick = std::max (2, canvas.line() / 6);
+  const int top = canvas.picture().rows - canvas.line() - thick - canvas.margin();
+  const int wide = std::max (width, canvas.width (words));
+  canvas.box ({left,
+               top - canvas.margin() / 2,
+               wide + 2 * canvas.margin(),
+               canvas.picture().rows - top});
+  canvas.text (words, {left + canvas.margin(), top});
+  cv::rectangle (canvas.picture(),
+                 cv::Rect (left + canvas.margin(), top + canvas.line(), width, thick),
+                 canvas.ink(),
                  cv::FILLED);
 }
 
@@ -231,15 +232,15 @@ annotate (cv::Mat& picture,
           const View& view,
           const PictureStyle& style)
 {
-  Pen pen (picture, style);
-  drawTitleAndLegend (pen, scene, style);
+  Canvas canvas (picture, style);
+  drawTitleAndLegend (canvas, scene, style);
   if (style.legend && scene.scale)
-    drawScale (pen, *scene.scale);
+    drawScale (canvas, *scene.scale);
   if (!style.axes)
     return;
-  const int width = drawAxes (pen, view);
+  const int width = drawAxes (canvas, view);
   if (view.parallel && view.scale > 0.0)
-    drawLength (pen, view, width);
+    drawLength (canvas, view, width);
 }
 
 } // namespace pcl_msf::visualization

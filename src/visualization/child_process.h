@@ -23,7 +23,7 @@ public:
    * that the child keeps; -1 = none \throws std::runtime_error when it cannot start */
   explicit ChildProcess (const std::vector<std::string>& arguments, int inherited = -1);
 
-  /** \brief Asks it to end (SIGTERM), waits, and after two seconds insists. */
+  /** \brief Ends it: SIGTERM, and SIGKILL after two seconds. */
   ~ChildProcess();
   ChildProcess (const ChildProcess&) = delete;
   ChildProcess&

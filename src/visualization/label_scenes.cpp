@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "io/base/figure_parts.h"
+#include "io/base/drawing.h"
 #include "io/base/motion_ranks.h"
+#include "visualization/picture_scenes.h"
 #include "visualization/point_colors.h"
-#include "visualization/value_scenes.h"
 #include <pcl_msf/errors.h>
 
 #include <algorithm>
@@ -93,7 +93,7 @@ motionScene (const ResultClouds& result)
     return rank == 0 ? kLargestGroup : labelColor (rank - 1);
   };
   Scene scene;
-  scene.title = std::to_string (flow.bodies) + " motion groups";
+  scene.title = std::to_string (flow.groups) + " motion groups";
   scene.points.push_back (
       {flow.points,
        colorsOfLabels (

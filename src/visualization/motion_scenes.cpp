@@ -4,9 +4,9 @@
 
 #include "core/base/number_text.h"
 #include "visualization/annotations.h"
+#include "visualization/picture_scenes.h"
 #include "visualization/point_colors.h"
 #include "visualization/result_checks.h"
-#include "visualization/value_scenes.h"
 #include <pcl_msf/errors.h>
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-#include "io/base/figure_parts.h"
+#include "io/base/drawing.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,10 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <opencv2/imgproc.hpp>
 
+#include "visualization/closed_cloud.h"
+#include "visualization/picture_scenes.h"
 #include "visualization/point_colors.h"
 #include "visualization/result_checks.h"
-#include "visualization/seams.h"
-#include "visualization/value_scenes.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/figures.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/base/number_text.h"
+#include "visualization/closed_cloud.h"
+#include "visualization/picture_scenes.h"
 #include "visualization/point_colors.h"
 #include "visualization/result_checks.h"
-#include "visualization/seams.h"
-#include "visualization/value_scenes.h"
 #include <pcl_msf/visualization/result_scenes.h>
 
 #include <algorithm>

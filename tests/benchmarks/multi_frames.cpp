@@ -152,7 +152,7 @@ printRow (const std::string& path, int count, const MultiframeParameters& parame
                "%.2f | %.2f | %.0f | %.0f | %.1f |\n",
                std::filesystem::path (path).filename().c_str(),
                count,
-               window.frames[last].bodies,
+               window.frames[last].groups,
                a.pixels.mean,
                a.pixels.median,
                a.millimetres,

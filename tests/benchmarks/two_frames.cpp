@@ -152,7 +152,7 @@ printRow (const std::string& path, int frame, int repetitions)
   std::printf ("| %s | %zu / %d | %s (%s) | %s | %s | %s | %s | %s | %.2f | %.0f |\n",
                std::filesystem::path (path).filename().c_str(),
                run.flow.segments.size(),
-               run.flow.bodies,
+               run.flow.groups,
                cell ("%.3f", own.epe).c_str(),
                cell ("%.3f", own.median).c_str(),
                cell ("%.2f", 1e3 * own3d.epe).c_str(),

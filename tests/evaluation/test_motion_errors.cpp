@@ -174,8 +174,8 @@ TEST (MotionGroups, EachPixelHasItsSegmentsGroup)
 {
   SceneFlow flow = twoSegments();
   flow.labels = partition ({-1, 1, 0, 1});
-  flow.segments[0].body = 4;
-  flow.segments[1].body = 2;
+  flow.segments[0].group = 4;
+  flow.segments[1].group = 2;
   const cv::Mat groups = motionGroups (flow);
   EXPECT_EQ (cv::countNonZero (groups != partition ({-1, 2, 4, 2})), 0);
 }

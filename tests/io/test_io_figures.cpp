@@ -140,12 +140,12 @@ TEST (Figures, UndeterminedSegmentsAreBlackAmongMotions)
   flow.labels = (cv::Mat_<int> (1, 6) << 0, 0, 1, 1, 2, 2);
   flow.segments.resize (3);
   for (int i = 0; i < 3; ++i) {
-    flow.segments[i].body = i == 0 ? 1 : 0;
+    flow.segments[i].group = i == 0 ? 1 : 0;
     flow.segments[i].status = MotionStatus::Determined;
   }
   flow.segments[2].status = MotionStatus::Undetermined;
-  flow.bodies = 2;
-  flow.dominant_body = 1;
+  flow.groups = 2;
+  flow.dominant_group = 1;
   const cv::Mat image (1, 6, CV_8UC1, cv::Scalar (100));
   const cv::Mat picture = io::motionOverlay (image, flow);
   const auto dominant = picture.at<cv::Vec3b> (0, 0);

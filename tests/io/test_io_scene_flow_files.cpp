@@ -123,24 +123,41 @@ TEST (SceneFlowFiles, MotionGroupsGoThroughAnImage)
   for (int i = 0; i < 2; ++i) {
     flow.segments[i].status = MotionStatus::Determined;
     flow.segments[i].points = 100 * (i + 1);
-    flow.segments[i].body = 1 - i;
+    flow.segments[i].group = 1 - i;
   }
-  flow.bodies = 2;
-  const cv::Mat bodies = io::bodyImage (flow);
-  EXPECT_EQ (bodies.at<int> (5, 5), 1);
-  EXPECT_EQ (bodies.at<int> (5, 20), 0);
-  EXPECT_EQ (bodies.at<int> (0, 0), -1);
+  flow.groups = 2;
+  const cv::Mat groups = io::groupImage (flow);
+  EXPECT_EQ (groups.at<int> (5, 5), 1);
+  EXPECT_EQ (groups.at<int> (5, 20), 0);
+  EXPECT_EQ (groups.at<int> (0, 0), -1);
   SceneFlow other = flow;
   for (SegmentMotion& segment : other.segments)
-    segment.body = -1;
-  io::setBodies (bodies, other);
-  EXPECT_EQ (other.segments[0].body, 1);
-  EXPECT_EQ (other.segments[1].body, 0);
-  EXPECT_EQ (other.bodies, 2);
-  EXPECT_EQ (other.dominant_body, 0) << "the group with most points";
-  EXPECT_THROW (io::setBodies (cv::Mat (2, 2, CV_32SC1), other), InvalidInput);
+    segment.group = -1;
+  io::setGroups (groups, other);
+  EXPECT_EQ (other.segments[0].group, 1);
+  EXPECT_EQ (other.segments[1].group, 0);
+  EXPECT_EQ (other.groups, 2);
+  EXPECT_EQ (other.dominant_group, 0) << "the group with most points";
+  EXPECT_THROW (io::setGroups (cv::Mat (2, 2, CV_32SC1), other), InvalidInput);
   flow.segments[0].status = MotionStatus::Undetermined;
-  EXPECT_EQ (io::bodyImage (flow).at<int> (5, 5), -1);
+  EXPECT_EQ (io::groupImage (flow).at<int> (5, 5), -1);
 }
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+TEST (SceneFlowFiles, MotionGroupsKeepTheirFormerNames)
+{
+  SceneFlow flow = someFlow();
+  flow.segments.resize (2);
+  flow.bodies = 2;
+  flow.dominant_body = 1;
+  flow.segments[0].body = 1;
+  EXPECT_EQ (flow.groups, 2);
+  EXPECT_EQ (flow.dominant_group, 1);
+  EXPECT_EQ (flow.segments[0].group, 1);
+  io::setBodies (io::bodyImage (flow), flow);
+  EXPECT_EQ (flow.segments[1].body, -1);
+}
+#pragma GCC diagnostic pop
 
 } // namespace

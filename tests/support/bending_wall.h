@@ -51,7 +51,7 @@ public:
     links = linkNearestCentroids (pixels.centroid, 4);
   }
 
-  /** \brief One body per tile, connections let go. */
+  /** \brief One body per tile, all links at weight 0. */
   MotionState
   truth () const
   {

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include <synthetic/chance.h>
 #include <synthetic/frame_view.h>
+#include <synthetic/random.h>
 #include <synthetic/scene_props.h>
 #include <synthetic/shape.h>
 
@@ -48,12 +48,12 @@ shapeCases ()
 
 TEST (SyntheticShapes, RaysMeetTheNearestPointOfTheSurface)
 {
-  Chance chance (7);
+  Random random (7);
   for (const Case& c : shapeCases()) {
     int hits = 0;
     for (int i = 0; i < 400; ++i) {
-      const Eigen::Vector3d origin = 2.0 * chance.direction();
-      const Eigen::Vector3d target = 0.4 * chance.direction();
+      const Eigen::Vector3d origin = 2.0 * random.direction();
+      const Eigen::Vector3d target = 0.4 * random.direction();
       const Ray ray{origin, 0.7 * (target - origin)};
       ShapeHit hit;
       const bool found = c.shape->intersect (ray, 1e9, hit);
@@ -82,14 +82,14 @@ TEST (SyntheticShapes, RaysMeetTheNearestPointOfTheSurface)
 TEST (SyntheticShapes, SphereBoundsHoldTheSpheresImage)
 {
   const PinholeCamera camera{260.0, 260.0, 159.5, 119.5};
-  Chance chance (3);
+  Random random (3);
   for (int i = 0; i < 200; ++i) {
     const Eigen::Vector3d center (
-        chance.uniform (-2, 2), chance.uniform (-2, 2), chance.uniform (0.2, 4));
-    const double radius = chance.uniform (0.1, 0.6);
+        random.uniform (-2, 2), random.uniform (-2, 2), random.uniform (0.2, 4));
+    const double radius = random.uniform (0.1, 0.6);
     const cv::Rect2d box = sphereBounds (center, radius, camera);
     for (int j = 0; j < 50; ++j) {
-      const Eigen::Vector3d p = center + radius * chance.direction();
+      const Eigen::Vector3d p = center + radius * random.direction();
       if (p.z() < 1e-3)
         continue;
       const Eigen::Vector2d uv = camera.project (p);
@@ -146,14 +146,14 @@ TEST (SyntheticShapes, SoftSurfacesHaveNoHolesInside)
 {
   // Places on the surface, cast from the camera, are hit or hidden by something nearer.
   const PinholeCamera camera{260.0, 260.0, 159.5, 119.5};
-  Chance chance (11);
+  Random random (11);
   for (const SceneKind name : {SceneKind::Bending, SceneKind::Breathing}) {
     const SceneModel scene = buildScene (name, 4);
     const auto view = softViewOf (scene, camera, 14.0);
     int missed = 0;
     for (int i = 0; i < 4000; ++i) {
       const Eigen::Vector3d material (
-          chance.uniform (-0.55, 0.55), chance.uniform (-0.4, 0.4), 0.0);
+          random.uniform (-0.55, 0.55), random.uniform (-0.4, 0.4), 0.0);
       const Eigen::Vector3d point = view->place (material);
       ViewHit hit;
       const bool found = view->cast (point / point.z(), 1e9, hit);

@@ -41,10 +41,10 @@ someResult ()
   for (int i = 0; i < 2; ++i) {
     flow.segments[i].status = MotionStatus::Determined;
     flow.segments[i].points = i == 0 ? 300 : 100;
-    flow.segments[i].body = i;
+    flow.segments[i].group = i;
   }
-  flow.bodies = 2;
-  flow.dominant_body = 0;
+  flow.groups = 2;
+  flow.dominant_group = 0;
   result.reference_color = cv::Mat (kSize, CV_8UC3, cv::Scalar::all (100));
   result.current_color = cv::Mat (kSize, CV_8UC3, cv::Scalar::all (110));
   result.current_points = flow.points + cv::Scalar (0, 0, 0.05);

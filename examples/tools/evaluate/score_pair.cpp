@@ -106,7 +106,7 @@ PairScorer::scoreMotions (const Estimate& estimate, Score& s) const
     return;
   const SceneFlow& flow = *estimate.scene_flow;
   s.segments = static_cast<double> (flow.segments.size());
-  s.groups = flow.bodies;
+  s.groups = flow.groups;
   s.converged = flow.report.converged ? 1.0 : 0.0;
   s.iterations = flow.report.iterations;
   if (pair_.truth.labels.empty())

@@ -56,7 +56,7 @@ run (const RegisterOptions& o)
   registration.align (warped);
   if (!registration.hasConverged())
     throw InvalidInput (registration.getReport().message);
-  std::cout << registration.getSceneFlow().bodies << " motion groups, dominant motion\n"
+  std::cout << registration.getSceneFlow().groups << " motion groups, dominant motion\n"
             << registration.getFinalTransformation() << "\nmean squared distance "
             << registration.getFitnessScore() << " m^2\n";
   if (pcl::io::savePCDFileBinary (o.warped, warped) != 0)

@@ -34,11 +34,11 @@ animationName (const RenderOptions& options)
 }
 
 /** One run: a renderer and the files it has written. */
-class Studio {
+class PictureRenderer {
 public:
-  Studio (const RenderInputs& inputs,
-          const RenderOptions& options,
-          OutputFolder& output)
+  PictureRenderer (const RenderInputs& inputs,
+                   const RenderOptions& options,
+                   OutputFolder& output)
   : inputs_ (inputs)
   , options_ (options)
   , output_ (output)
@@ -267,12 +267,12 @@ writeRenders (const RenderInputs& inputs,
               const RenderOptions& options,
               OutputFolder& output)
 {
-  Studio studio (inputs, options, output);
-  studio.writeKinds();
+  PictureRenderer renderer (inputs, options, output);
+  renderer.writeKinds();
   if (options.animation != Animation::None)
-    studio.writeAnimation();
+    renderer.writeAnimation();
   output.finish();
-  return studio.files();
+  return renderer.files();
 }
 
 } // namespace pcl_msf::tool

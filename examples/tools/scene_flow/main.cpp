@@ -36,7 +36,7 @@ printSummary (const Outcome& outcome, const std::string& folder)
   const SceneFlow& flow = outcome.lastFlow();
   print_highlight ("%zu segments, %d motion groups, %d iterations, %s\n",
                    flow.segments.size(),
-                   flow.bodies,
+                   flow.groups,
                    flow.report.iterations,
                    toString (flow.report.stop_reason));
   print_info ("[done, ");

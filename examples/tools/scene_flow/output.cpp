@@ -70,7 +70,7 @@ addWindow (const Outcome& o,
       io::writeLabels ((folder / ("labels_" + reference + ".png")).string(),
                        o.lastFlow().labels);
       io::writeLabels ((folder / ("bodies_" + reference + ".png")).string(),
-                       io::bodyImage (o.lastFlow()));
+                       io::groupImage (o.lastFlow()));
     });
   if (options.wants (Output::Poses) && o.result.frames.size() > 2)
     for (const char* type : {".yaml", ".json"})

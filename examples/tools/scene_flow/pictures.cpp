@@ -26,11 +26,11 @@ constexpr int kPlotHeight = 480;
 
 /** Pictures that are made, then written, each at once with others, and the overview of
  * them. */
-class Album {
+class PictureSet {
 public:
   using Make = std::function<cv::Mat()>;
 
-  Album (const std::filesystem::path& folder, int threads)
+  PictureSet (const std::filesystem::path& folder, int threads)
   : folder_ (folder), threads_ (threads)
   {}
 
@@ -120,45 +120,43 @@ overlayAfter (const Scene& s)
 }
 
 void
-addFlow (Album& album, const std::string& name, const cv::Mat& flow, double maximum)
+addFlow (PictureSet& set, const std::string& name, const cv::Mat& flow, double maximum)
 {
   const double full = maximum > 0.0 ? maximum : io::flowLength (flow, 0.99);
-  album.add (name, "", [&flow, full] { return io::flowColors (flow, full); });
+  set.add (name, "", [&flow, full] { return io::flowColors (flow, full); });
   std::ostringstream label;
   label << "optical flow, full colour " << std::setprecision (3) << full << " px";
-  album.add ("", label.str(), [&flow, full] { return io::flowPicture (flow, full); });
+  set.add ("", label.str(), [&flow, full] { return io::flowPicture (flow, full); });
 }
 
 /** Both frames over each other, and as a pair to be shown in turn. */
 void
-addOverlays (Album& album, const std::string& pair, const Scene& s)
+addOverlays (PictureSet& set, const std::string& pair, const Scene& s)
 {
   const cv::Mat& before = s.reference.color;
   const cv::Mat& after = s.current.color;
-  album.add (
-      "", "both frames before", [&] { return io::tintedOverlay (before, after); });
-  album.add (
+  set.add ("", "both frames before", [&] { return io::tintedOverlay (before, after); });
+  set.add (
       "overlay" + pair + ".png", "both frames after", [&] { return overlayAfter (s); });
   const auto flicker = std::async (std::launch::deferred, [&] {
                          return io::flickerPair (before, after, s.flow.flow);
                        }).share();
-  album.add (
-      "flicker" + pair + "_before.png", "", [=] { return flicker.get().before; });
-  album.add ("flicker" + pair + "_after.png", "", [=] { return flicker.get().after; });
+  set.add ("flicker" + pair + "_before.png", "", [=] { return flicker.get().before; });
+  set.add ("flicker" + pair + "_after.png", "", [=] { return flicker.get().after; });
 }
 
 /** What the solve found about the segments. */
 void
-addSegments (Album& album, const std::string& reference, const Scene& s)
+addSegments (PictureSet& set, const std::string& reference, const Scene& s)
 {
   const cv::Mat& color = s.reference.color;
-  album.add ("segments" + reference + ".png",
-             std::to_string (s.flow.segments.size()) + " segments",
-             [&] { return io::segmentOverlay (color, s.flow.labels); });
-  album.add ("motions" + reference + ".png",
-             std::to_string (s.flow.bodies) + " motion groups",
-             [&] { return io::motionOverlay (color, s.flow); });
-  album.add ("weights" + reference + ".png", "connections of segments", [&] {
+  set.add ("segments" + reference + ".png",
+           std::to_string (s.flow.segments.size()) + " segments",
+           [&] { return io::segmentOverlay (color, s.flow.labels); });
+  set.add ("motions" + reference + ".png",
+           std::to_string (s.flow.groups) + " motion groups",
+           [&] { return io::motionOverlay (color, s.flow); });
+  set.add ("weights" + reference + ".png", "connections of segments", [&] {
     return io::weightsPicture (color, s.flow);
   });
 }
@@ -171,31 +169,30 @@ writePictures (const Outcome& o, int frame, const Options& options)
   const Scene s{o.result.frames[frame], o.images[o.result.reference], o.images[frame]};
   const std::string reference = "_" + std::to_string (o.reference());
   const std::string pair = pairName (o, frame);
-  Album album (options.output, threadCount (options.solver.threads));
-  album.add ("", "reference", [&] { return s.reference.color; });
-  album.add ("", "current", [&] { return s.current.color; });
-  album.add ("range" + reference + ".png", // "depth" would name a recording's
-             "depth of the reference",
-             [&] { return io::depthPicture (s.reference.depth); });
-  addFlow (album, "flow" + pair + ".png", s.flow.flow, options.flow_maximum);
-  addSegments (album, reference, s);
-  album.add ("occlusion" + pair + ".png", "visibility", [&] {
+  PictureSet set (options.output, threadCount (options.solver.threads));
+  set.add ("", "reference", [&] { return s.reference.color; });
+  set.add ("", "current", [&] { return s.current.color; });
+  set.add ("range" + reference + ".png", // "depth" would name a recording's
+           "depth of the reference",
+           [&] { return io::depthPicture (s.reference.depth); });
+  addFlow (set, "flow" + pair + ".png", s.flow.flow, options.flow_maximum);
+  addSegments (set, reference, s);
+  set.add ("occlusion" + pair + ".png", "visibility", [&] {
     return io::visibilityPicture (s.reference.color, s.flow.visibility);
   });
-  album.add (
-      "residual" + pair + ".png", "residual", [&] { return residualPicture (s); });
-  album.add ("deviation" + pair + ".png", "standard deviation of the flow", [&] {
+  set.add ("residual" + pair + ".png", "residual", [&] { return residualPicture (s); });
+  set.add ("deviation" + pair + ".png", "standard deviation of the flow", [&] {
     return io::scalarPicture (s.flow.flow_deviation, 0.0, "px");
   });
   if (!s.reference.color.empty())
-    addOverlays (album, pair, s);
-  album.add ("convergence" + reference + ".png", "convergence", [&] {
+    addOverlays (set, pair, s);
+  set.add ("convergence" + reference + ".png", "convergence", [&] {
     return io::convergencePlot (s.flow.report, {kPlotWidth, kPlotHeight});
   });
-  album.make();
+  set.make();
   if (frame == o.lastTarget())
-    album.addOverview ("overview" + reference + ".png");
-  album.write();
+    set.addOverview ("overview" + reference + ".png");
+  set.write();
 }
 
 } // namespace pcl_msf::tool

@@ -77,7 +77,7 @@ StreamTracker::track (const StreamFrame& frame, StreamResult& result)
   const SceneFlow& flow = tracker_.sceneFlow();
   result.cancelled = flow.report.stop_reason == StopReason::Cancelled;
   result.problem = problemOf (flow.report);
-  result.groups = flow.bodies;
+  result.groups = flow.groups;
   const auto& motion = flow.dominant_motion.parameters;
   result.degrees = kDegrees * Eigen::Vector3d (motion[0], motion[1], motion[2]).norm();
   result.metres = Eigen::Vector3d (motion[3], motion[4], motion[5]).norm();

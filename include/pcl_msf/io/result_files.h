@@ -49,12 +49,24 @@ readSceneFlowCloud (const std::string& path);
 
 /** \brief Motion group of every pixel. \return CV_32SC1, -1 = none */
 cv::Mat
-bodyImage (const SceneFlow& scene_flow);
+groupImage (const SceneFlow& scene_flow);
 
-/** \brief Gives the segments the motion groups of an image that bodyImage made: each
+/** \brief Gives the segments the motion groups of an image that groupImage made: each
  * the group of its first pixel. \throws InvalidInput when the sizes differ */
 void
-setBodies (const cv::Mat& bodies, SceneFlow& scene_flow);
+setGroups (const cv::Mat& groups, SceneFlow& scene_flow);
+
+[[deprecated ("use groupImage")]] inline cv::Mat
+bodyImage (const SceneFlow& scene_flow)
+{
+  return groupImage (scene_flow);
+}
+
+[[deprecated ("use setGroups")]] inline void
+setBodies (const cv::Mat& groups, SceneFlow& scene_flow)
+{
+  setGroups (groups, scene_flow);
+}
 
 /** \brief Visibility as the mask that is written. \param visibility CV_8UC1, see
  * Visibility \return CV_8UC1, 255 = seen in both frames, 0 otherwise */

@@ -3,7 +3,7 @@
 #include "core/bodies/body_assignment.h"
 
 #include "core/base/parallel_for.h"
-#include "core/bodies/claim_map.h"
+#include "core/bodies/landing_map.h"
 #include "core/segments/segment_graph.h"
 
 #include <algorithm>
@@ -31,33 +31,33 @@ private:
   DataTerm::Probe
   probe (int segment, int body) const;
   void
-  lookWhoIsSeen (int threads);
+  findVisibleSegments (int threads);
   void
-  mapClaims (int threads);
+  mapLandings (int threads);
   double
-  takenShare (int segment, int body) const;
+  occupiedShare (int segment, int body) const;
   double
   score (int segment, int body, double limit) const;
   int
   choose (int segment, const std::vector<int>& candidates) const;
 
-  const std::vector<PairTerms> asked_;
+  const std::vector<PairTerms> pairs_;
   const AssignmentTuning& tuning_;
   WindowState& state_;
   const int segments_;
   std::vector<std::vector<int>> neighbors_;
   std::vector<std::vector<double>> strengths_; ///< of the links to them
   int largest_{0};                             ///< body
-  std::vector<char> seen_;           ///< per segment: mostly visible with its body
-  std::vector<MotionState> motions_; ///< per asked pair
-  std::vector<std::unique_ptr<ClaimMap>> claims_; ///< likewise, of motions_
+  std::vector<char> visible_;        ///< per segment: mostly visible with its body
+  std::vector<MotionState> motions_; ///< per pair
+  std::vector<std::unique_ptr<LandingMap>> landings_; ///< likewise, of motions_
 };
 
 Assignment::Assignment (const std::vector<PairTerms>& terms,
                         const std::vector<SegmentLink>& links,
                         const AssignmentTuning& tuning,
                         WindowState& state)
-: asked_ (fromReference (terms))
+: pairs_ (fromReference (terms))
 , tuning_ (tuning)
 , state_ (state)
 , segments_ (static_cast<int> (state.body_of.size()))
@@ -75,7 +75,7 @@ Assignment::largestBodies() const
 {
   std::vector<int> points (state_.bodies(), 0);
   for (int k = 0; k < segments_; ++k)
-    points[state_.body_of[k]] += asked_.front().sample->pixels().size (k);
+    points[state_.body_of[k]] += pairs_.front().sample->pixels().size (k);
   std::vector<int> order (points.size());
   std::iota (order.begin(), order.end(), 0);
   std::stable_sort (
@@ -84,15 +84,15 @@ Assignment::largestBodies() const
   return order;
 }
 
-/** Costs of all asked pairs together; `hidden` is their mean by weight. */
+/** Costs of all pairs together; `hidden` is their mean by weight. */
 DataTerm::Probe
 Assignment::probe (int segment, int body) const
 {
   DataTerm::Probe sum;
-  for (const PairTerms& pair : asked_) {
+  for (const PairTerms& pair : pairs_) {
     const DataTerm::Probe one =
         pair.sample->probe (segment, state_.poses[pair.pair][body]);
-    sum.cost += one.cost;
+    sum.cost += one.cost + tuning_.flow_worth * one.flow;
     sum.weight += one.weight;
     sum.hidden += one.hidden * one.weight;
   }
@@ -100,16 +100,16 @@ Assignment::probe (int segment, int body) const
   return sum;
 }
 
-/** Mean over the pairs of what ClaimMap calls taken, beyond borders. */
+/** Mean over the pairs of what is occupied, beyond borders. */
 double
-Assignment::takenShare (int segment, int body) const
+Assignment::occupiedShare (int segment, int body) const
 {
   double sum = 0.0;
-  for (std::size_t i = 0; i < asked_.size(); ++i)
+  for (std::size_t i = 0; i < pairs_.size(); ++i)
     sum += std::max (0.0,
-                     claims_[i]->takenShare (*asked_[i].sample, segment, body) -
+                     landings_[i]->occupiedShare (*pairs_[i].sample, segment, body) -
                          tuning_.border_share);
-  return sum / ((1.0 - tuning_.border_share) * static_cast<double> (asked_.size()));
+  return sum / ((1.0 - tuning_.border_share) * static_cast<double> (pairs_.size()));
 }
 
 double
@@ -124,19 +124,20 @@ Assignment::score (int segment, int body, double limit) const
     const bool together = state_.body_of[n] == body;
     others += together ? 0.0 : strengths_[segment][i];
     all += strengths_[segment][i];
-    supported |= together && seen_[n];
+    supported |= together && visible_[n];
   }
   const double share = all > 0.0 ? others / all : 0.0;
-  const DataTerm& sample = *asked_.front().sample;
+  const DataTerm& sample = *pairs_.front().sample;
   const DataTerm::Probe p = probe (segment, body);
-  const double hidden = supported ? 0.0 : p.hidden * sample.unsupportedCost();
-  const double independent = p.weight * asked_.front().residual_scale;
-  const double own_way =
+  const double hidden = supported ? 0.0 : p.hidden * sample.isolatedHiddenCost();
+  const double independent = p.weight * pairs_.front().residual_scale;
+  const double prior =
       std::min (tuning_.most_prior, tuning_.prior / std::max (1.0, independent));
   const double sum = p.cost / std::max (p.weight, 1e-12) + hidden +
-                     tuning_.separation * share + (body == largest_ ? 0.0 : own_way);
-  return sum >= limit ? sum
-                      : sum + takenShare (segment, body) * sample.rules().conflict_cost;
+                     tuning_.separation * share + (body == largest_ ? 0.0 : prior);
+  return sum >= limit
+             ? sum
+             : sum + occupiedShare (segment, body) * sample.rules().conflict_cost;
 }
 
 int
@@ -161,26 +162,26 @@ Assignment::choose (int segment, const std::vector<int>& largest) const
 }
 
 void
-Assignment::lookWhoIsSeen (int threads)
+Assignment::findVisibleSegments (int threads)
 {
-  seen_.assign (segments_, 0);
+  visible_.assign (segments_, 0);
   parallelFor (threads, segments_, 8, [&] (int k) {
-    seen_[k] = probe (k, state_.body_of[k]).hidden < tuning_.mostly_hidden;
+    visible_[k] = probe (k, state_.body_of[k]).hidden < tuning_.mostly_hidden;
   });
 }
 
 void
-Assignment::mapClaims (int threads)
+Assignment::mapLandings (int threads)
 {
-  const int pairs = static_cast<int> (asked_.size());
+  const int pairs = static_cast<int> (pairs_.size());
   motions_.clear();
-  for (const PairTerms& pair : asked_)
+  for (const PairTerms& pair : pairs_)
     motions_.push_back (state_.ofPair (pair.pair));
-  claims_.resize (pairs);
+  landings_.resize (pairs);
   const bool many = pairs > 1; // else threads share a pair's segments
   parallelFor (many ? threads : 1, pairs, 1, [&] (int i) {
-    claims_[i] = std::make_unique<ClaimMap> (
-        *asked_[i].all, motions_[i], tuning_.claims, many ? 1 : threads);
+    landings_[i] = std::make_unique<LandingMap> (
+        *pairs_[i].all, motions_[i], tuning_.landings, many ? 1 : threads);
   });
 }
 
@@ -189,8 +190,8 @@ Assignment::round (int threads)
 {
   const std::vector<int> largest = largestBodies();
   largest_ = largest.front();
-  lookWhoIsSeen (threads);
-  mapClaims (threads);
+  findVisibleSegments (threads);
+  mapLandings (threads);
   std::vector<int> next (segments_);
   const int changes = parallelSum (threads, segments_, 8, [&] (int k) {
     next[k] = choose (k, largest);

@@ -10,16 +10,17 @@
 
 namespace pcl_msf {
 
-/** \brief Lets segments change to another body's motion where their points do not
- * object: what finds the way home for segments that were lost, hidden or too small.
+/** \brief Assigns segments to the body whose motion fits them best: what corrects
+ * segments that were lost, hidden or too small.
  *
- * A segment tries its neighbours' bodies and the largest ones. It takes the one with
- * the lowest mean truncated cost per residual plus `separation` times the share of its
- * links, by their strength, that lead to other bodies. All decide at once, so that the
- * outcome does not depend on the order. Bodies without segments disappear. A place that
- * most of a segment's points would take from a larger body costs up to a conflict more
- * (ClaimMap). In a window only the pairs from the reference are asked: the points of
- * the others are where the present motion put them. \return how many changed */
+ * Candidates are the bodies of the linked segments and the largest ones. A segment is
+ * assigned to the one with the lowest mean truncated cost per residual plus
+ * `separation` times the share of its links, by their strength, to segments of other
+ * bodies. All are assigned at once, so that the outcome does not depend on the order.
+ * Bodies without segments disappear. Where most of a segment's points would land on the
+ * place of a larger body, up to a conflict is added (LandingMap). In a window only the
+ * pairs from the reference count: the points of the others are where the present motion
+ * put them. \return how many changed */
 int
 reassignBodies (const std::vector<PairTerms>& terms,
                 const std::vector<SegmentLink>& links,

@@ -26,8 +26,8 @@ visibleShares (const std::vector<PairTerms>& terms)
   return shares;
 }
 
-/** A body to follow and how far its segment is. */
-struct Leader {
+/** A body to join and how far its segment is. */
+struct Candidate {
   double lever;
   int body;
 };
@@ -35,37 +35,38 @@ struct Leader {
 } // namespace
 
 int
-followNeighbors (const std::vector<PairTerms>& all_terms,
-                 const std::vector<SegmentLink>& links,
-                 const HiddenTuning& tuning,
-                 WindowState& state)
+assignHiddenSegments (const std::vector<PairTerms>& all_terms,
+                      const std::vector<SegmentLink>& links,
+                      const HiddenTuning& tuning,
+                      WindowState& state)
 {
   const std::vector<PairTerms> terms = fromReference (all_terms);
   const std::vector<double> seen = visibleShares (terms);
-  std::vector<std::vector<Leader>> leaders (seen.size());
+  std::vector<std::vector<Candidate>> candidates (seen.size());
   for (const SegmentLink& link : links) {
     if (seen[link.first] < tuning.hidden && seen[link.second] >= tuning.seen)
-      leaders[link.first].push_back ({link.lever, state.body_of[link.second]});
+      candidates[link.first].push_back ({link.lever, state.body_of[link.second]});
     if (seen[link.second] < tuning.hidden && seen[link.first] >= tuning.seen)
-      leaders[link.second].push_back ({link.lever, state.body_of[link.first]});
+      candidates[link.second].push_back ({link.lever, state.body_of[link.first]});
   }
   int changes = 0;
-  for (std::size_t k = 0; k < leaders.size(); ++k) {
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
     std::stable_sort (
-        leaders[k].begin(), leaders[k].end(), [] (const Leader& a, const Leader& b) {
-          return a.lever < b.lever;
-        });
+        candidates[k].begin(),
+        candidates[k].end(),
+        [] (const Candidate& a, const Candidate& b) { return a.lever < b.lever; });
     double lowest = std::numeric_limits<double>::infinity();
     int best = state.body_of[k];
-    for (const Leader& leader : leaders[k]) {
+    for (const Candidate& candidate : candidates[k]) {
       double cost = 0.0;
       for (const PairTerms& pair : terms)
         cost +=
-            pair.all->probe (static_cast<int> (k), state.poses[pair.pair][leader.body])
+            pair.all
+                ->probe (static_cast<int> (k), state.poses[pair.pair][candidate.body])
                 .cost;
       if (cost < lowest) {
         lowest = cost;
-        best = leader.body;
+        best = candidate.body;
       }
     }
     changes += best != state.body_of[k] ? 1 : 0;

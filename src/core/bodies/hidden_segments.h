@@ -10,15 +10,15 @@
 
 namespace pcl_msf {
 
-/** \brief Segments of which next to nothing is seen in the other frames take the
- * motion of the linked segment that is seen and that their points object to least, the
- * nearest one when they object to none: what is left of their own motion says nothing.
- * Only pairs from the reference tell. \param terms linearized at the state
- * \return how many changed */
+/** \brief Assigns segments of which next to nothing is visible in the other frames to
+ * the body of a linked segment that is visible: the one whose motion costs least, the
+ * nearest one when several cost the same. The few residuals left do not determine a
+ * motion of their own. Only pairs from the reference count. \param terms linearized at
+ * the state \return how many changed */
 int
-followNeighbors (const std::vector<PairTerms>& terms,
-                 const std::vector<SegmentLink>& links,
-                 const HiddenTuning& tuning,
-                 WindowState& state);
+assignHiddenSegments (const std::vector<PairTerms>& terms,
+                      const std::vector<SegmentLink>& links,
+                      const HiddenTuning& tuning,
+                      WindowState& state);
 
 } // namespace pcl_msf

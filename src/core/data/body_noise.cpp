@@ -49,11 +49,11 @@ sharpness (std::vector<float>& sizes, int least, double limit)
 } // namespace
 
 void
-sharpenRigidBodies (const std::vector<PairTerms>& terms,
-                    const WindowState& state,
-                    const BodyNoiseTuning& tuning,
-                    int threads,
-                    SegmentPixels& pixels)
+rescaleBodyNoise (const std::vector<PairTerms>& terms,
+                  const WindowState& state,
+                  const BodyNoiseTuning& tuning,
+                  int threads,
+                  SegmentPixels& pixels)
 {
   std::vector<std::vector<int>> segments (state.bodies());
   for (std::size_t k = 0; k < state.body_of.size(); ++k)

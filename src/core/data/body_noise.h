@@ -16,10 +16,10 @@ namespace pcl_msf {
  * than the model says. \param terms of `pixels`, in pairs of frames that they start
  * \param pixels of one frame: the reference or one that segments were carried to */
 void
-sharpenRigidBodies (const std::vector<PairTerms>& terms,
-                    const WindowState& state,
-                    const BodyNoiseTuning& tuning,
-                    int threads,
-                    SegmentPixels& pixels);
+rescaleBodyNoise (const std::vector<PairTerms>& terms,
+                  const WindowState& state,
+                  const BodyNoiseTuning& tuning,
+                  int threads,
+                  SegmentPixels& pixels);
 
 } // namespace pcl_msf

@@ -107,7 +107,7 @@ const std::vector<Kernel>&
 usableKernels ();
 
 /** \brief The kernel that is used: the one that the environment variable PCL_MSF_ISA
- * names when the process first asks, otherwise the fastest. */
+ * names at the first call in the process, otherwise the fastest. */
 const Kernel&
 chosenKernel ();
 

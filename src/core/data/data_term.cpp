@@ -188,6 +188,10 @@ DataTerm::evaluate (int k, const RigidPose& pose, Pass pass)
   out.brightness_cost = sums.brightness_cost;
   out.icp_cost = sums.icp_cost;
   toPoseParameters (sums, pose, rotation, pixels_.centroid[k], out);
+  out.flow_cost = 0.0;
+  if (const double worth = solving_ * residual_; worth > 0.0)
+    out.flow_cost =
+        worth * flow_->cost (k, pose, worth, &out.information, &out.gradient);
 }
 
 void
@@ -207,6 +211,7 @@ DataTerm::probe (int k, const RigidPose& pose) const
   kernel::chosenKernel().probe (points (k), image_, motion, rules_, sums);
   Probe result;
   result.cost = sums.brightness_cost + sums.icp_cost;
+  result.flow = flow_ ? residual_ * flow_->cost (k, pose) : 0.0;
   result.weight = totalWeight (k);
   result.hidden = result.weight > 0.0 ? sums.hidden / result.weight : 1.0;
   return result;

@@ -4,6 +4,7 @@
 
 #include "core/base/tuning/data_tuning.h"
 #include "core/data/data_kernel.h"
+#include "core/motion/flow_evidence.h"
 #include "core/motion/motion_state.h"
 #include "core/segments/segment_pixels.h"
 #include <pcl_msf/parameters.h>
@@ -20,10 +21,11 @@ struct SegmentQuadratic {
   Vector6 gradient{Vector6::Zero()};    ///< b = sum w J' r
   double brightness_cost{0.0};
   double icp_cost{0.0};
+  double flow_cost{0.0}; ///< of optical flow, at coarse levels
   double
   cost () const
   {
-    return brightness_cost + icp_cost;
+    return brightness_cost + icp_cost + flow_cost;
   }
 };
 
@@ -65,6 +67,24 @@ public:
             const Texture& texture,
             const kernel::Rules& rules,
             int threads);
+
+  /** \brief Has optical flow's say, too. \param flow must outlive the term
+   * \param residual a mean residual's share of the energy
+   * \param solving residuals that a segment's flow is worth in sweeps */
+  void
+  setFlow (const FlowEvidence& flow, double residual, double solving)
+  {
+    flow_ = &flow;
+    residual_ = residual;
+    solving_ = solving;
+  }
+
+  void
+  dropFlow ()
+  {
+    flow_ = nullptr;
+    solving_ = 0.0;
+  }
 
   /** \brief Evaluates all segments at a state's poses. A segment is not linearized
    * again at the pose where it was last, as long as its points weigh the same. */
@@ -136,6 +156,7 @@ public:
   /** \brief What a pose would cost. */
   struct Probe {
     double cost{0.0};   ///< truncated; share of the energy
+    double flow{0.0};   ///< likewise, of optical flow worth one residual; not in cost
     double hidden{0.0}; ///< share of the residuals that are hidden, [0, 1]
     double weight{0.0}; ///< of all residuals; cost / weight is the mean per residual
   };
@@ -154,9 +175,11 @@ public:
             (pixels_.icp_count > 0 ? rules_.icp_weight : 0.0));
   }
 
-  /** \brief What a hidden residual costs more when nothing vouches for the pose. */
+  /** \brief What a hidden residual costs more when no visible neighbour shares the
+   * pose.
+   */
   double
-  unsupportedCost () const
+  isolatedHiddenCost () const
   {
     return rules_.conflict_cost - rules_.occluded_cost;
   }
@@ -168,6 +191,9 @@ private:
   evaluate (int segment, const RigidPose& pose, Pass pass);
 
   const SegmentPixels& pixels_;
+  const FlowEvidence* flow_{nullptr};
+  double residual_{0.0};
+  double solving_{0.0};
   kernel::Image image_;
   kernel::Rules rules_;
   int threads_;

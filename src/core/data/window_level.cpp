@@ -50,11 +50,17 @@ WindowLevel::WindowLevel (const WindowScene& scene,
   for (const int p : scene.used) {
     const FramePairs::Pair& pair = scene.pairs[p];
     const auto term = [&] (const SegmentPixels& points) {
-      return std::make_unique<DataTerm> (
+      auto made = std::make_unique<DataTerm> (
           points,
           *textures_[pair.to],
           makeRules (energy, points, scene.tuning.data.missing),
           scene.threads);
+      // The finest level knows better: there the energy is the method's alone.
+      if (scene.flow)
+        made->setFlow (*scene.flow,
+                       1.0 / residualScale (energy, points),
+                       level > 0 ? scene.tuning.start.evidence.solving : 0.0);
+      return made;
     };
     data_[p] = term (pixels_[pair.from]);
     if (pair.from == scene.pairs.reference())
@@ -94,7 +100,7 @@ WindowLevel::terms() const
 }
 
 void
-WindowLevel::sharpenRigidBodies (const WindowState& state)
+WindowLevel::rescaleBodyNoise (const WindowState& state)
 {
   for (std::size_t f = 0; f < pixels_.size(); ++f) {
     std::vector<PairTerms> from;
@@ -103,7 +109,7 @@ WindowLevel::sharpenRigidBodies (const WindowState& state)
         from.push_back (pair);
     if (from.empty())
       continue;
-    pcl_msf::sharpenRigidBodies (
+    pcl_msf::rescaleBodyNoise (
         from, state, scene_.tuning.data.body_noise, scene_.threads, pixels_[f]);
     for (const PairTerms& pair : from)
       data_[pair.pair]->forget();

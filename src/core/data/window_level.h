@@ -33,7 +33,8 @@ struct WindowScene {
   /** ... or, as a window of several pairs needs it, all frames to the reference's: per
    * frame, its intensity from the reference's; empty leaves them as they are. */
   std::vector<BrightnessChange> exposure{};
-  double falloff{0.0};   ///< of brightness towards the corners, see fitFalloff
+  double falloff{0.0}; ///< of brightness towards the corners, see fitFalloff
+  std::unique_ptr<FlowEvidence> flow{}; ///< of the only pair; or none
   cv::Mat fused_depth{}; ///< of the reference, level 0, see fuseInverseDepth; or empty
 };
 
@@ -92,7 +93,7 @@ public:
   /** \brief Weighs every frame's points of large bodies by how well they fit; see
    * body_noise.h. */
   void
-  sharpenRigidBodies (const WindowState& state);
+  rescaleBodyNoise (const WindowState& state);
 
   /** \brief Weighs the residuals by the scene's correlation areas from the next sweep
    * on. */

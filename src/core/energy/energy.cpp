@@ -64,8 +64,8 @@ Energy::unit (double depth) const
   return level_.focalLength() / std::max (depth, 1e-3);
 }
 
-/** eta, once for every pair that pulls at the weight: so the width of the kernel, the
- * difference of poses that lets go, is that of two frames whatever the window. */
+/** eta, once for every pair that shares the weight: so the width of the kernel is that
+ * of two frames whatever the window. */
 double
 Energy::priorWeight() const
 {
@@ -184,6 +184,7 @@ Energy::presentCost (const WindowState& state) const
     for (int k = 0; k < scene_.segments; ++k) {
       cost.brightness += level_.data (p).of (k).brightness_cost;
       cost.icp += level_.data (p).of (k).icp_cost;
+      cost.flow += level_.data (p).of (k).flow_cost;
     }
   const std::vector<double> differences = squaredDifferences (state);
   const double share = 0.5 / std::max<std::size_t> (1, differences.size());

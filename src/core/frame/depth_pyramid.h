@@ -16,7 +16,7 @@ inverseDepth (const cv::Mat& depth, double min_depth, double max_depth);
 /** \brief The next coarser level: pixel (i, j) averages, around pixel (2 i, 2 j), those
  * of the 3x3 neighbours that belong to the same surface (inverse depth within the
  * tolerance); where the centre has no measurement the neighbour nearest to the camera
- * leads. Holes do not grow, surfaces do not mix. */
+ * stands in. Holes do not grow, surfaces do not mix. */
 cv::Mat
 halveInverseDepth (const cv::Mat& inverse_depth,
                    double noise,

@@ -31,7 +31,7 @@ pointsOf (const cv::Mat& image)
 }
 
 SegmentMotion
-motionOf (const CloudPart& part, int body)
+motionOf (const CloudPart& part, int group)
 {
   SegmentMotion motion;
   motion.current_from_reference = part.target_from_source;
@@ -39,7 +39,7 @@ motionOf (const CloudPart& part, int body)
   motion.rank = 6;
   motion.status = MotionStatus::Determined;
   motion.points = part.points;
-  motion.body = body;
+  motion.group = group;
   motion.centroid = part.centroid;
   return motion;
 }
@@ -119,7 +119,7 @@ registerByNeighbors (const cv::Mat& source,
   PairMotion motion{0, 1, {}};
   for (std::size_t p = 0; p < found.parts.size(); ++p) {
     flow.segments.push_back (motionOf (found.parts[p], static_cast<int> (p)));
-    flow.groups.push_back (
+    flow.group_motions.push_back (
         {found.parts[p].target_from_source, found.parts[p].information, 1});
     motion.segments.push_back (found.parts[p].target_from_source);
   }
@@ -130,8 +130,8 @@ registerByNeighbors (const cv::Mat& source,
     fillPoint (found, i, points[i], flow);
     result.target[points[i]] = found.target[i];
   }
-  flow.bodies = static_cast<int> (found.parts.size());
-  flow.dominant_body = 0;
+  flow.groups = static_cast<int> (found.parts.size());
+  flow.dominant_group = 0;
   flow.dominant_motion = found.parts.front().target_from_source;
   hintAtLostGrid (source, target, found.report);
   flow.report = found.report;

@@ -25,13 +25,13 @@ struct PointPull {
        double isotropy);
 };
 
-/** \brief How points find each other. Lengths in the unit of the points. */
+/** \brief How points are matched. Lengths in the unit of the points. */
 struct MatchRules {
   double distance{0.1};      ///< scale of the robust weight
   double normal_length{0.1}; ///< what a difference of normals of 1 counts as
   double isotropy{0.0};      ///< share of point-to-point in point-to-plane
   double least{0.0};         ///< robust weight of a tight pair
-  double mutual{0.0};        ///< scale of the way there and back; 0 = not asked
+  double mutual{0.0};        ///< scale of the way there and back; 0 = unused
   double backward{1.0};      ///< weight of the target's points' own matches
   bool borders{false};       ///< may a match lie on the target's border?
 };

@@ -19,7 +19,7 @@ namespace pcl_msf {
 struct PointEnergyWeights {
   double data{1.0};        ///< beta, per squared unit
   double regularizer{1.0}; ///< gamma, per squared unit
-  double width{0.0};       ///< difference of poses that lets go, in units; 0 = never
+  double width{0.0};       ///< of the kernel: difference of poses, in units; 0 = none
   double unit{1.0};        ///< length that counts as 1
 };
 

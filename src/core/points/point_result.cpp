@@ -3,8 +3,8 @@
 #include "core/points/point_result.h"
 
 #include "core/base/parallel_for.h"
-#include "core/points/body_parts.h"
 #include "core/points/cloud_joints.h"
+#include "core/points/rigid_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ informationAsGiven (const PointClouds& clouds,
 }
 
 void
-addParts (const PointClouds& clouds, const BodyParts& parts, CloudFlow& flow)
+addParts (const PointClouds& clouds, const RigidParts& parts, CloudFlow& flow)
 {
   flow.parts.resize (parts.poses.size());
   const Surface& surface = clouds.source.surface;
@@ -50,7 +50,7 @@ addParts (const PointClouds& clouds, const BodyParts& parts, CloudFlow& flow)
 
 void
 addJoints (const PointClouds& clouds,
-           const BodyParts& parts,
+           const RigidParts& parts,
            double least_share,
            CloudFlow& flow)
 {
@@ -89,7 +89,7 @@ addJoints (const PointClouds& clouds,
  * where motions blend, its own shift. */
 void
 carryAll (const PointClouds& clouds,
-          const BodyParts& parts,
+          const RigidParts& parts,
           const std::vector<Eigen::Vector3f>& source,
           const std::vector<Eigen::Vector3f>& target_points,
           const std::vector<float>& confidence,
@@ -135,7 +135,7 @@ makeCloudFlow (const PointClouds& clouds,
                int threads)
 {
   CloudFlow flow;
-  const BodyParts parts = findParts (clouds, solve, merge, tuning.parts, threads);
+  const RigidParts parts = findParts (clouds, solve, merge, tuning.parts, threads);
   addParts (clouds, parts, flow);
   addJoints (clouds, parts, tuning.result.joint_share, flow);
   MatchRules rules;

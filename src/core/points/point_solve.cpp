@@ -125,8 +125,8 @@ PointSolve::isometricPairs()
     candidates.push_back (tight[place]);
   const SurfaceIsometry isometry (
       source, target, candidates, 1.0, tuning_.isometry, threads_);
-  return isometry.match (everySo (source.size(), tuning_.limbs.source_seeks),
-                         everySo (target.size(), tuning_.limbs.target_seeks),
+  return isometry.match (everySo (source.size(), tuning_.limbs.source_points),
+                         everySo (target.size(), tuning_.limbs.target_points),
                          threads_);
 }
 
@@ -149,7 +149,7 @@ PointSolve::followPairs (const std::vector<PointPair>& pairs)
   weights.regularizer = limbs.regularizer;
   weights.unit = segments().radius;
   weights.data = static_cast<double> (samples_.size()) /
-                 std::max (1, std::min (limbs.source_seeks, samples_.size()));
+                 std::max (1, std::min (limbs.source_points, samples_.size()));
   PointProblem problem (samples_, segments(), weights, threads_, poses_);
   for (int i = 0; i < limbs.steps && !progress_.stopped(); ++i) {
     const MovedPoints moved = movePoints (samples_, poses_, threads_);

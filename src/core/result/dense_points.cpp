@@ -13,7 +13,7 @@ namespace pcl_msf {
 namespace {
 
 /** One motion that takes part in moving a segment's points. */
-struct Influence {
+struct BlendedMotion {
   Eigen::Matrix3f rotation;
   Eigen::Vector3f translation;
   float u, v;          ///< centre in the reference image, pixels
@@ -21,8 +21,11 @@ struct Influence {
   float strength;      ///< mixing of the connection
 };
 
-Influence
-influenceOf (const SceneFlow& scene, int segment, double strength, double reach_share)
+BlendedMotion
+blendedMotionOf (const SceneFlow& scene,
+                 int segment,
+                 double strength,
+                 double reach_share)
 {
   const SegmentMotion& motion = scene.segments[segment];
   const Eigen::Vector2d center = scene.camera.project (motion.centroid);
@@ -36,17 +39,17 @@ influenceOf (const SceneFlow& scene, int segment, double strength, double reach_
 }
 
 /** The motions that move each segment's points; its own first. */
-std::vector<std::vector<Influence>>
-findInfluences (const SceneFlow& scene, bool blend, const BlendTuning& tuning)
+std::vector<std::vector<BlendedMotion>>
+findBlendedMotions (const SceneFlow& scene, bool blend, const BlendTuning& tuning)
 {
-  std::vector<std::vector<Influence>> influences (scene.segments.size());
+  std::vector<std::vector<BlendedMotion>> motions (scene.segments.size());
   std::vector<char> soft (scene.segments.size(), 0);
-  for (std::size_t k = 0; k < influences.size(); ++k)
+  for (std::size_t k = 0; k < motions.size(); ++k)
     if (scene.segments[k].points > 0)
-      influences[k].push_back (
-          influenceOf (scene, static_cast<int> (k), 1.0, tuning.reach));
+      motions[k].push_back (
+          blendedMotionOf (scene, static_cast<int> (k), 1.0, tuning.reach));
   if (!blend)
-    return influences;
+    return motions;
   const auto usable = [&] (int k) {
     return scene.segments[k].status == MotionStatus::Determined;
   };
@@ -57,33 +60,33 @@ findInfluences (const SceneFlow& scene, bool blend, const BlendTuning& tuning)
     const bool differ = scene.segments[pair.first].current_from_reference.parameters !=
                         scene.segments[pair.second].current_from_reference.parameters;
     if (usable (pair.second)) {
-      influences[pair.first].push_back (
-          influenceOf (scene, pair.second, strength, tuning.reach));
+      motions[pair.first].push_back (
+          blendedMotionOf (scene, pair.second, strength, tuning.reach));
       soft[pair.first] |= differ;
     }
     if (usable (pair.first)) {
-      influences[pair.second].push_back (
-          influenceOf (scene, pair.first, strength, tuning.reach));
+      motions[pair.second].push_back (
+          blendedMotionOf (scene, pair.first, strength, tuning.reach));
       soft[pair.second] |= differ;
     }
   }
-  for (std::size_t k = 0; k < influences.size(); ++k)
+  for (std::size_t k = 0; k < motions.size(); ++k)
     if (!soft[k])
-      influences[k].resize (std::min<std::size_t> (influences[k].size(), 1));
-  return influences;
+      motions[k].resize (std::min<std::size_t> (motions[k].size(), 1));
+  return motions;
 }
 
 Eigen::Vector3f
-move (const std::vector<Influence>& influences,
+move (const std::vector<BlendedMotion>& motions,
       const Eigen::Vector3f& p,
       float x,
       float y)
 {
-  if (influences.size() == 1)
-    return influences[0].rotation * p + influences[0].translation;
+  if (motions.size() == 1)
+    return motions[0].rotation * p + motions[0].translation;
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
   float weights = 0.0f;
-  for (const Influence& k : influences) {
+  for (const BlendedMotion& k : motions) {
     const float dx = x - k.u;
     const float dy = y - k.v;
     const float weight =
@@ -128,7 +131,7 @@ fillPoints (const DataTerm& data,
   result.points = cv::Mat (size, CV_32FC3, cv::Scalar::all (nan));
   result.displacement = cv::Mat (size, CV_32FC3, cv::Scalar::all (nan));
   result.flow = cv::Mat (size, CV_32FC2, cv::Scalar::all (nan));
-  const auto influences = findInfluences (result, blend, tuning);
+  const auto motions = findBlendedMotions (result, blend, tuning);
   parallelFor (threads, p.segments(), 8, [&] (int k) {
     const bool known = result.segments[k].status != MotionStatus::Undetermined;
     for (int i = p.begin[k]; i < p.begin[k + 1]; ++i) {
@@ -139,7 +142,7 @@ fillPoints (const DataTerm& data,
       if (known)
         writeMotion (
             point,
-            move (influences[k], point, static_cast<float> (x), static_cast<float> (y)),
+            move (motions[k], point, static_cast<float> (x), static_cast<float> (y)),
             camera,
             x,
             y,

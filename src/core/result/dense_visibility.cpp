@@ -111,8 +111,8 @@ supportOf (cv::Size size,
   return support;
 }
 
-/** Do enough of the frame's measurements around a landing agree with the point? One
- * that stands alone in the reference asks for no more in the frame.
+/** Do enough of the frame's measurements around a landing agree with the point? As
+ * many as in the reference are enough, as for a point that stands alone there.
  * \param pixel of the point in the reference */
 bool
 liesOnSurface (const kernel::Image& image,
@@ -128,8 +128,8 @@ liesOnSurface (const kernel::Image& image,
       {image.width, image.height}, at, landing.expected, tolerance, [&] (int y, int x) {
         return image.texels[2 * (y * image.width + x) + 1];
       });
-  const int asked = std::min (least, there.measured);
-  if (there.agreeing >= asked)
+  const int required = std::min (least, there.measured);
+  if (there.agreeing >= required)
     return true;
   const cv::Point own (pixel % points.cols, pixel / points.cols);
   const auto before = [&] (int y, int x) {
@@ -137,7 +137,7 @@ liesOnSurface (const kernel::Image& image,
   };
   const Support here =
       supportOf (points.size(), own, before (own.y, own.x), tolerance, before);
-  return there.agreeing >= std::min (asked, here.agreeing);
+  return there.agreeing >= std::min (required, here.agreeing);
 }
 
 /** \param pixel of the point in the reference */

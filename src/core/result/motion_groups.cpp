@@ -72,14 +72,14 @@ numberGroups (const MotionState& state, const GroupTuning& tuning, SceneFlow& re
   const std::vector<int> body_points = countPoints (result.segments, state.body_of);
   int largest = -1;
   for (std::size_t k = 0; k < group_of.size(); ++k) {
-    result.segments[k].body = rank[group_of[k]];
-    result.bodies = std::max (result.bodies, result.segments[k].body + 1);
+    result.segments[k].group = rank[group_of[k]];
+    result.groups = std::max (result.groups, result.segments[k].group + 1);
     const int body = state.body_of[k];
-    if (result.segments[k].body == 0 &&
+    if (result.segments[k].group == 0 &&
         (largest < 0 || body_points[body] > body_points[largest]))
       largest = body;
   }
-  result.dominant_body = largest < 0 ? -1 : 0;
+  result.dominant_group = largest < 0 ? -1 : 0;
   if (largest >= 0)
     result.dominant_motion = state.poses[largest];
 }

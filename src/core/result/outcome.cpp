@@ -44,7 +44,7 @@ isBlank (const RgbdFrame& frame, const OutcomeTuning& tuning)
 
 /** Nothing is known: no motion is shown. */
 void
-forgetMotion (SceneFlow& flow)
+clearMotion (SceneFlow& flow)
 {
   const auto unknown = cv::Scalar::all (std::numeric_limits<double>::quiet_NaN());
   flow.displacement.setTo (unknown);
@@ -54,7 +54,7 @@ forgetMotion (SceneFlow& flow)
     segment.status = MotionStatus::Undetermined;
     segment.visible_points = 0;
   }
-  flow.dominant_body = -1;
+  flow.dominant_group = -1;
   flow.dominant_motion = RigidPose();
 }
 
@@ -138,7 +138,7 @@ judgeMotion (const RgbdFrame& reference,
   if (isDetermined (flow)) {
     const Overlap overlap = measureOverlap (current, flow);
     judgement = judgeOverlap (overlap, tuning);
-    if (judgement.objection == StopReason::NotRun) {
+    if (judgement.failure == StopReason::NotRun) {
       const Likeness texture = compareTexture (
           reference, current, intensity_noise, tuning.significant, flow);
       judgement = texture.patches >= tuning.patches
@@ -147,7 +147,7 @@ judgeMotion (const RgbdFrame& reference,
                                     countInFront (reference, current, tuning, flow),
                                     tuning);
     }
-    if (judgement.objection == StopReason::NotRun &&
+    if (judgement.failure == StopReason::NotRun &&
         (isNoise (reference, tuning) || isNoise (current, tuning)))
       judgement = {StopReason::DifferentPlaces,
                    "the frames show different places: the depth of one is noise, in "
@@ -157,13 +157,13 @@ judgeMotion (const RgbdFrame& reference,
     if (lost_texture && overlap.found < tuning.mostly * overlap.moved)
       judgement = nothing;
     // The little that seemed determined is not found either.
-    if (judgement.objection == StopReason::DifferentPlaces &&
+    if (judgement.failure == StopReason::DifferentPlaces &&
         (overlap.moved < tuning.mostly * overlap.points ||
          isBlank (reference, tuning) || isBlank (current, tuning)))
       judgement = nothing;
   }
-  if (judgement.objection == StopReason::NothingDetermined)
-    forgetMotion (flow);
+  if (judgement.failure == StopReason::NothingDetermined)
+    clearMotion (flow);
   return judgement;
 }
 
@@ -179,10 +179,10 @@ conclude (StopReason cut_short,
   if (report.stop_reason == StopReason::NumericalFailure)
     report.message = "the solver could not make a step";
   for (const Judgement& j : judgements) {
-    if (j.objection == StopReason::NotRun)
+    if (j.failure == StopReason::NotRun)
       continue;
     if (ran)
-      report.stop_reason = j.objection;
+      report.stop_reason = j.failure;
     report.message =
         (j.frame < 0 ? "" : "frame " + std::to_string (j.frame) + " of the window: ") +
         j.why;

@@ -15,10 +15,10 @@ namespace pcl_msf {
 
 /** \brief What the motion from the reference to one frame is worth. */
 struct Judgement {
-  StopReason objection{StopReason::NotRun}; ///< NothingDetermined, DifferentPlaces, or
-                                            ///< NotRun: there is none
-  std::string why;                          ///< for a person
-  int frame{-1};                            ///< of the window, -1: there are two
+  StopReason failure{StopReason::NotRun}; ///< NothingDetermined, DifferentPlaces, or
+                                          ///< NotRun: none
+  std::string why;                        ///< for a person
+  int frame{-1};                          ///< of the window, -1: there are two
 };
 
 /** \brief How a solve ended that nobody cut short. */

@@ -245,10 +245,10 @@ groupMotions (const MotionState& state,
   std::vector<int> points (state.poses.size(), 0);
   for (std::size_t k = 0; k < result.segments.size(); ++k)
     points[state.body_of[k]] += result.segments[k].points;
-  std::vector<GroupMotion> groups (std::max (0, result.bodies));
+  std::vector<GroupMotion> groups (std::max (0, result.groups));
   std::vector<int> leader (groups.size(), -1); // a segment of the largest body
   for (std::size_t k = 0; k < result.segments.size(); ++k) {
-    const int g = result.segments[k].body;
+    const int g = result.segments[k].group;
     ++groups[g].segments;
     if (leader[g] < 0 || points[state.body_of[k]] > points[state.body_of[leader[g]]])
       leader[g] = static_cast<int> (k);
@@ -315,7 +315,7 @@ fillInformation (const DataTerm& data,
     covariances[k] = bodies[k] + memberships[k];
     segment.information = inverseOf (covariances[k]);
   });
-  result.groups = groupMotions (state, covariance, bodies, memberships, result);
+  result.group_motions = groupMotions (state, covariance, bodies, memberships, result);
   return covariances;
 }
 

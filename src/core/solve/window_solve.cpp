@@ -114,7 +114,7 @@ WindowSolve::pairSchedule (int finest_level) const
          1.0,
          std::min (user_.max_iterations, scene_.tuning.solve.later_iterations)});
     rounds.back().anew = false;
-    rounds.back().sharpen = true;
+    rounds.back().rescale_noise = true;
   }
   rounds.back().last = true;
   return rounds;
@@ -154,7 +154,7 @@ WindowSolve::windowSchedule() const
                 kStartShare + (i + 1) * third,
                 i == 0 ? user_.max_iterations : few};
     round.presort = i == 0;
-    round.sharpen = i > 0;
+    round.rescale_noise = i > 0;
     round.merge = i < 2;
     round.fuse = i == 2;
     rounds.push_back (round);
@@ -256,8 +256,8 @@ WindowSolve::round (const Round& round)
     level_->sweep (state_, DataTerm::Pass::Linearize);
     merge();
   }
-  if (round.sharpen)
-    level_->sharpenRigidBodies (state_);
+  if (round.rescale_noise)
+    level_->rescaleBodyNoise (state_);
   monitor_.enter (round.stage, round.level, round.begin, round.end, round.iterations);
   minimize (round.iterations);
   if (round.measure)
@@ -269,7 +269,7 @@ WindowSolve::round (const Round& round)
   }
   if (!round.last)
     return;
-  if (followNeighbors (
+  if (assignHiddenSegments (
           level_->terms(), scene_.links, scene_.tuning.bodies.hidden, state_) > 0)
     level_->sweep (state_, DataTerm::Pass::Linearize);
   if (user_.merge_bodies)

@@ -75,9 +75,9 @@ private:
     bool spread{false};  ///< lost ones alone; without jumps there is no solve
     bool measure{false}; ///< what residuals are worth, after the solve
     bool presort{false}; ///< bodies merge before the solve, too
-    bool sharpen{false}; ///< rigid bodies show their own noise
-    bool merge{false};   ///< after the solve, and segments choose among the bodies
-    bool last{false};    ///< hidden segments follow, and bodies merge once more
+    bool rescale_noise{false}; ///< of rigid bodies, by their own residuals
+    bool merge{false}; ///< after the solve, and segments choose among the bodies
+    bool last{false};  ///< hidden segments follow, and bodies merge once more
   };
 
   SolverParameters

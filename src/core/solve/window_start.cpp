@@ -76,7 +76,7 @@ WindowStart::run (const RigidPose& guess, const std::vector<KnownStep>& known)
       if (step == known.end())
         solveStep (from, to, start);
       else
-        takeStep (*step);
+        applyStep (*step);
       compose (from, to);
       start = dominantPose (steps_[pairs_.between (from, to)]);
       from = to;
@@ -128,7 +128,7 @@ WindowStart::solveStep (int from, int to, const RigidPose& guess)
 }
 
 void
-WindowStart::takeStep (const KnownStep& known)
+WindowStart::applyStep (const KnownStep& known)
 {
   Step& step = steps_[pairs_.between (known.from, known.to)];
   step.poses = known.poses;

@@ -73,7 +73,7 @@ private:
   void
   solveStep (int from, int to, const RigidPose& guess);
   void
-  takeStep (const KnownStep& known);
+  applyStep (const KnownStep& known);
   void
   linkSegments ();
   void

@@ -7,7 +7,6 @@
 
 #include "core/base/opencv_threads.h"
 #include "core/base/parallel_for.h"
-#include "core/motion/rigid_fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,12 +17,6 @@ namespace pcl_msf {
 namespace {
 
 constexpr int kLeastFlowSide = 16; // pixels: two patches
-
-/** Samples of all segments; those of segment k are [begin[k], begin[k + 1]). */
-struct SampleTable {
-  std::vector<FlowSample> samples;
-  std::vector<int> begin;
-};
 
 SampleTable
 lift (const CoarseFlow& flow,
@@ -262,12 +255,13 @@ hypothesesFromFlow (const CoarseFlow& flow,
                     const StartTuning& tuning,
                     int threads)
 {
-  const SampleTable table = lift (flow, current, pixels, wanted, level);
+  FlowHypotheses result;
+  result.samples = lift (flow, current, pixels, wanted, level);
+  const SampleTable& table = result.samples;
   const RigidFitOptions options{current.camera(),
                                 tuning.flow.noise * noise.inverse_depth,
                                 tuning.flow.noise * noise.relative_depth,
                                 tuning.fit};
-  FlowHypotheses result;
   matchIntensities (flow, current, pixels, level, result);
   const int segments = pixels.segments();
   result.of_segment.assign (segments, start);

@@ -5,6 +5,7 @@
 #include <opencv2/core.hpp>
 
 #include "core/base/tuning/start_tuning.h"
+#include "core/motion/rigid_fit.h"
 #include "core/segments/segment_pixels.h"
 #include <pcl_msf/rgbd_frame.h>
 #include <pcl_msf/rigid_pose.h>
@@ -13,8 +14,15 @@
 
 namespace pcl_msf {
 
+/** \brief Samples of all segments; those of segment k are [begin[k], begin[k + 1]). */
+struct SampleTable {
+  std::vector<FlowSample> samples;
+  std::vector<int> begin;
+};
+
 /** \brief Motions that optical flow suggests: starts for segments, never results. */
 struct FlowHypotheses {
+  SampleTable samples;
   std::vector<RigidPose> of_segment; ///< robust rigid fit to each segment's flow
   std::vector<char> fitted;          ///< enough samples for the fit?
   std::vector<RigidPose> bodies; ///< motions that many segments share, largest first

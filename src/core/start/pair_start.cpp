@@ -5,6 +5,7 @@
 #include "core/segments/segment_graph.h"
 #include "core/segments/surface_links.h"
 #include "core/start/far_motions.h"
+#include "core/start/flow_precision.h"
 #include "core/start/pose_proposals.h"
 
 #include <algorithm>
@@ -68,6 +69,13 @@ PairStart::run (const cv::Mat& labels,
     optical = estimateOpticalFlow (
         reference_, current_, scene_.tuning.start.flow, scene_.threads);
     flow = lift (optical);
+    scene_.flow =
+        std::make_unique<FlowEvidence> (evidenceOfFlow (flow,
+                                                        reference_,
+                                                        current_.camera(),
+                                                        scene_.noise,
+                                                        scene_.tuning.start.evidence,
+                                                        scene_.threads));
     scene_.change = fitBrightnessChange (
         flow.pairs_reference, flow.pairs_current, scene_.tuning.frame.brightness);
     for (float& intensity : points.intensity)
@@ -78,15 +86,18 @@ PairStart::run (const cv::Mat& labels,
   std::vector<RigidPose> poses (scene_.segments, guess);
   common_ = {guess, RigidPose{}};
   const Texture texture (current_.levels()[at]);
-  const DataTerm probes (points,
-                         texture,
-                         makeRules (energy_, points, scene_.tuning.data.missing),
-                         scene_.threads);
+  DataTerm probes (points,
+                   texture,
+                   makeRules (energy_, points, scene_.tuning.data.missing),
+                   scene_.threads);
+  if (scene_.flow)
+    probes.setFlow (*scene_.flow, 1.0 / residualScale (energy_, points), 0.0);
   const auto suggest = [&] (const FlowHypotheses& from) {
     common_.insert (common_.end(), from.bodies.begin(), from.bodies.end());
     propose (probes,
              reference.camera.fx,
              from,
+             scene_.tuning.start.evidence.proposing,
              scene_.tuning.start.proposals.first_rounds,
              {},
              poses);
@@ -106,6 +117,8 @@ PairStart::run (const cv::Mat& labels,
                                            scene_.tuning.start.far_motion,
                                            scene_.threads);
     if (far.instead_of_flow) {
+      probes.dropFlow();
+      scene_.flow.reset();
       compareExposure (far.motions.front(), at, points);
       poses.assign (scene_.segments, guess);
       common_ = {guess, RigidPose{}};
@@ -125,6 +138,7 @@ PairStart::proposeAgain (const WindowLevel& level, std::vector<RigidPose>& poses
   propose (level.probes (0),
            level.focalLength(),
            {},
+           0.0,
            scene_.tuning.start.proposals.later_rounds,
            {},
            poses);
@@ -136,6 +150,7 @@ PairStart::proposeToLost (const WindowLevel& level, std::vector<RigidPose>& pose
   return propose (level.probes (0),
                   level.focalLength(),
                   {},
+                  0.0,
                   scene_.tuning.start.proposals.later_rounds,
                   unexplained (level.probes (0), poses),
                   poses);
@@ -146,6 +161,7 @@ int
 PairStart::propose (const DataTerm& probes,
                     double focal_length,
                     const FlowHypotheses& flow,
+                    double flow_worth,
                     int rounds,
                     std::vector<char> moving,
                     std::vector<RigidPose>& poses) const
@@ -156,6 +172,7 @@ PairStart::propose (const DataTerm& probes,
                            focal_length,
                            scene_.tuning.start.proposals,
                            scene_.threads);
+  proposals.weighFlow (flow_worth);
   for (const RigidPose& pose : common_)
     proposals.addCommon (pose);
   for (std::size_t k = 0; k < flow.fitted.size(); ++k)
@@ -215,7 +232,7 @@ PairStart::unexplained (const DataTerm& probes,
   std::vector<char> result (scene_.segments, 0);
   for (int k = 0; k < scene_.segments; ++k) {
     const DataTerm::Probe probe = probes.probe (k, poses[k]);
-    result[k] = probe.cost + probe.hidden * probe.weight * probes.unsupportedCost() >
+    result[k] = probe.cost + probe.hidden * probe.weight * probes.isolatedHiddenCost() >
                 scene_.tuning.start.unexplained * probe.weight;
   }
   return result;

@@ -42,6 +42,7 @@ private:
   propose (const DataTerm& probes,
            double focal_length,
            const FlowHypotheses& flow,
+           double flow_worth,
            int rounds,
            std::vector<char> moving,
            std::vector<RigidPose>& poses) const;

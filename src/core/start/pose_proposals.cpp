@@ -50,26 +50,26 @@ PoseProposals::cost (int segment, const RigidPose& pose) const
   const DataTerm::Probe probe = probes_.probe (segment, pose);
   const UnpackedPose own (pose);
   const double eta = energy_.prior_weight;
-  double sum = probe.cost;
+  double sum = probe.cost + flow_worth_ * probe.flow;
   double support = 0.0; // the strongest connection to a neighbour that is seen
   for (const Neighbor& n : neighbors_[segment]) {
     const double m = misfit (n.link, own, present_[n.segment]);
     sum += 0.5 * tuning_.rough * m * eta / ((m + eta) * links_.size());
-    if (seen_[n.segment])
+    if (visible_[n.segment])
       support = std::max (support, eta / (m + eta));
   }
   return sum +
-         probe.weight * probe.hidden * (1.0 - support) * probes_.unsupportedCost();
+         probe.weight * probe.hidden * (1.0 - support) * probes_.isolatedHiddenCost();
 }
 
 void
-PoseProposals::lookWhoIsSeen (const std::vector<RigidPose>& poses)
+PoseProposals::findVisibleSegments (const std::vector<RigidPose>& poses)
 {
   const int segments = static_cast<int> (own_.size());
   present_ = std::vector<UnpackedPose> (poses.begin(), poses.end());
-  seen_.assign (segments, 0);
+  visible_.assign (segments, 0);
   parallelFor (threads_, segments, 8, [&] (int k) {
-    seen_[k] = probes_.probe (k, poses[k]).hidden < tuning_.mostly_hidden;
+    visible_[k] = probes_.probe (k, poses[k]).hidden < tuning_.mostly_hidden;
   });
 }
 
@@ -81,7 +81,7 @@ PoseProposals::improve (int segment,
 {
   double best = tuning_.clearly_better * cost (segment, pose);
   bool changed = false;
-  const double alone = tuning_.own_way * probes_.totalWeight (segment);
+  const double alone = tuning_.own_penalty * probes_.totalWeight (segment);
   std::vector<const RigidPose*> tried; // neighbours often share a motion
   const auto offer = [&] (const RigidPose& candidate, double extra) {
     const auto same = [&] (const RigidPose* other) {
@@ -115,7 +115,7 @@ PoseProposals::run (int rounds, std::vector<RigidPose>& poses)
   const int segments = static_cast<int> (own_.size());
   int total = 0;
   for (int round = 0; round < rounds; ++round) {
-    lookWhoIsSeen (poses);
+    findVisibleSegments (poses);
     std::vector<RigidPose> next = poses;
     const int changes = parallelSum (threads_, segments, 8, [&] (int k) {
       const bool stays = !moving_.empty() && moving_[k] == 0;

@@ -12,11 +12,11 @@
 
 namespace pcl_msf {
 
-/** \brief Lets segments jump to other poses where descent cannot take them.
+/** \brief Changes segments' poses to others that descent does not reach.
  *
  * Each segment tries its own candidates, the common ones and its neighbours' present
  * poses, and takes the one with the lowest share of the energy (truncated data cost of
- * sampled points plus coupling at the best weights). All decide at once on the last
+ * sampled points plus coupling at the best weights). All change at once, by the last
  * round's state, so that the outcome does not depend on the order.
  */
 class PoseProposals {
@@ -41,14 +41,22 @@ public:
     own_[segment].push_back (pose);
   }
 
-  /** \brief Has these segments alone jump; all do by default. */
+  /** \brief Has optical flow's say, too. \param residuals that it is worth, a segment
+   */
+  void
+  weighFlow (double residuals)
+  {
+    flow_worth_ = residuals;
+  }
+
+  /** \brief Only these segments change; all may by default. */
   void
   restrictTo (std::vector<char> segments)
   {
     moving_ = std::move (segments);
   }
 
-  /** \brief Runs rounds until nobody moves. \param poses per segment
+  /** \brief Runs rounds until none changes. \param poses per segment
    * \return how many changes were made */
   int
   run (int rounds, std::vector<RigidPose>& poses);
@@ -64,7 +72,7 @@ private:
   double
   cost (int segment, const RigidPose& pose) const;
   void
-  lookWhoIsSeen (const std::vector<RigidPose>& poses);
+  findVisibleSegments (const std::vector<RigidPose>& poses);
   bool
   improve (int segment,
            const std::vector<RigidPose>& poses,
@@ -80,9 +88,10 @@ private:
   std::vector<std::vector<Neighbor>> neighbors_;
   std::vector<std::vector<RigidPose>> own_;
   std::vector<RigidPose> common_;
-  std::vector<char> moving_;          ///< per segment: may it jump? empty = all may
+  double flow_worth_{0.0};
+  std::vector<char> moving_;          ///< per segment: may it change? empty = all may
   std::vector<UnpackedPose> present_; ///< poses of the round
-  std::vector<char> seen_; ///< per segment: mostly visible at its present pose
+  std::vector<char> visible_; ///< per segment: mostly visible at its present pose
 };
 
 } // namespace pcl_msf

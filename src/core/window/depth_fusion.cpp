@@ -49,7 +49,7 @@ measuredAt (const cv::Mat& inverse_depth, float u, float v, float gate)
          b * ((1.0f - a) * w[2] + a * w[3]);
 }
 
-/** What a witness changes about a point's inverse depth; NaN when it does not see it.
+/** What a source changes about a point's inverse depth; NaN when it does not see it.
  */
 float
 correction (const FrameLevel& level,
@@ -79,14 +79,14 @@ correction (const FrameLevel& level,
 cv::Mat
 fuseInverseDepth (const FrameLevel& reference,
                   const cv::Mat& labels,
-                  const std::vector<DepthWitness>& witnesses,
+                  const std::vector<DepthSource>& sources,
                   const NoiseModel& noise,
                   const FusionTuning& tuning,
                   int threads)
 {
   std::vector<std::vector<Turn>> turns;
-  for (const DepthWitness& witness : witnesses)
-    turns.push_back (unpack (witness.motion.poses));
+  for (const DepthSource& source : sources)
+    turns.push_back (unpack (source.motion.poses));
   const auto sigma = static_cast<float> (noise.inverse_depth);
   cv::Mat result = reference.inverse_depth.clone();
   const PinholeCamera& camera = reference.camera;
@@ -103,13 +103,10 @@ fuseInverseDepth (const FrameLevel& reference,
       const float trust = sigma * sigma / (sigma * sigma + model * model);
       float weights = 1.0f;
       float sum = 0.0f;
-      for (std::size_t i = 0; i < witnesses.size(); ++i) {
-        const Turn& turn = turns[i][witnesses[i].motion.body_of[k]];
-        const float change = correction (*witnesses[i].level,
-                                         turn,
-                                         ray,
-                                         w,
-                                         tuning.sigmas * std::hypot (sigma, sigma));
+      for (std::size_t i = 0; i < sources.size(); ++i) {
+        const Turn& turn = turns[i][sources[i].motion.body_of[k]];
+        const float change = correction (
+            *sources[i].level, turn, ray, w, tuning.sigmas * std::hypot (sigma, sigma));
         if (!std::isfinite (change))
           continue;
         weights += trust;

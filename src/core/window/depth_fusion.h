@@ -14,7 +14,7 @@
 namespace pcl_msf {
 
 /** \brief A frame that measures the reference's points once more. */
-struct DepthWitness {
+struct DepthSource {
   const FrameLevel* level;
   MotionState motion; ///< from the reference
 };
@@ -24,14 +24,14 @@ struct DepthWitness {
  *
  * A sensor's depth noise moves every point along its ray, and with it its optical flow,
  * by a share of the motion: as many measurements as frames reduce it. Each counts by
- * its variance, which for the witnesses includes what poses and interpolation leave;
+ * its variance, which for the sources includes what poses and interpolation leave;
  * those that differ by more than the noise explains see something else and do not
  * count. \param labels of the reference level \return CV_32FC1, 1 / metres, 0 where the
  * reference has none */
 cv::Mat
 fuseInverseDepth (const FrameLevel& reference,
                   const cv::Mat& labels,
-                  const std::vector<DepthWitness>& witnesses,
+                  const std::vector<DepthSource>& sources,
                   const NoiseModel& noise,
                   const FusionTuning& tuning,
                   int threads);

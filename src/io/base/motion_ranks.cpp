@@ -9,29 +9,29 @@ namespace pcl_msf::io {
 
 MotionRanks::MotionRanks (const SceneFlow& flow)
 {
-  const int bodies = std::max (0, flow.bodies);
-  std::vector<long> points (bodies, 0);
+  const int groups = std::max (0, flow.groups);
+  std::vector<long> points (groups, 0);
   for (const SegmentMotion& segment : flow.segments) {
     all_points_ += segment.points;
-    if (segment.body >= 0 && segment.body < bodies)
-      points[segment.body] += segment.points;
+    if (segment.group >= 0 && segment.group < groups)
+      points[segment.group] += segment.points;
   }
-  std::vector<int> order (bodies);
+  std::vector<int> order (groups);
   std::iota (order.begin(), order.end(), 0);
   std::stable_sort (order.begin(), order.end(), [&] (int a, int b) {
-    if ((a == flow.dominant_body) != (b == flow.dominant_body))
-      return a == flow.dominant_body;
+    if ((a == flow.dominant_group) != (b == flow.dominant_group))
+      return a == flow.dominant_group;
     return points[a] > points[b];
   });
-  std::vector<int> rank (bodies);
-  for (int i = 0; i < bodies; ++i) {
+  std::vector<int> rank (groups);
+  for (int i = 0; i < groups; ++i) {
     rank[order[i]] = i;
     points_.push_back (points[order[i]]);
   }
   for (const SegmentMotion& segment : flow.segments) {
     const bool known = segment.status != MotionStatus::Undetermined &&
-                       segment.body >= 0 && segment.body < bodies;
-    rank_of_.push_back (known ? rank[segment.body] : bodies);
+                       segment.group >= 0 && segment.group < groups;
+    rank_of_.push_back (known ? rank[segment.group] : groups);
   }
 }
 

@@ -41,7 +41,7 @@ quaternionOf (const TextTable& table, std::size_t row)
 }
 
 /** The rigid motion a part of the way from one pose to another. Flat as numericalRank
- * in dense_result.cpp: no copy of a function for aligned quaternions is left. */
+ * in segment_results.cpp: no copy of a function for aligned quaternions is left. */
 [[gnu::flatten]] RigidPose
 between (const RigidPose& from, const RigidPose& to, double part)
 {

@@ -3,7 +3,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/opencv_threads.h"
-#include "io/base/figure_parts.h"
+#include "io/base/drawing.h"
 #include <pcl_msf/io/figures.h>
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <pcl/common/colors.h>
 
-#include "io/base/figure_parts.h"
+#include "io/base/drawing.h"
 #include "io/base/motion_ranks.h"
 #include <pcl_msf/io/figures.h>
 

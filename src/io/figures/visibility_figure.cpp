@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <opencv2/imgproc.hpp>
 
-#include "io/base/figure_parts.h"
+#include "io/base/drawing.h"
 #include <pcl_msf/io/figures.h>
 
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/base/number_text.h"
-#include "io/base/figure_parts.h"
+#include "io/base/drawing.h"
 #include "io/page/html_page.h"
 #include <pcl_msf/io/html_report.h>
 #include <pcl_msf/io/text_files.h>

@@ -58,6 +58,7 @@ historyOf (const std::vector<IterationRecord>& records)
                         {"regularizer", record.terms.regularizer},
                         {"prior", record.terms.prior},
                         {"concatenation", record.terms.concatenation},
+                        {"flow", record.terms.flow},
                         {"seconds", record.seconds}});
   return history;
 }
@@ -154,7 +155,7 @@ reportJson (const SceneFlow& flow,
             {"camera", cameraOf (flow.camera, removed)},
             {"segments", flow.segments.size()},
             {"undetermined_segments", countStatus (flow, MotionStatus::Undetermined)},
-            {"bodies", flow.bodies},
+            {"bodies", flow.groups},
             {"iterations", report.iterations},
             {"converged", report.converged},
             {"stop_reason", toString (report.stop_reason)},

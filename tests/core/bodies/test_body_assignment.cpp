@@ -73,7 +73,7 @@ TEST_F (BodyAssignment, BodyOfALostSegmentDisappears)
 
 TEST_F (BodyAssignment, SegmentWithAMotionOfItsOwnKeepsIt)
 {
-  // The other half's true motion, known to nobody else: the points insist.
+  // The other half's true motion, which no other segment has: its data decide.
   MotionState state = scene_.solved();
   for (std::size_t k = 0; k < state.body_of.size(); ++k)
     if (scene_.bodyOf()[k] == 1)
@@ -111,7 +111,7 @@ protected:
   test::TiledScene scene_{test::coveredWall()};
 };
 
-TEST_F (CoveredTile, CannotHideOnAPlaceThatIsTaken)
+TEST_F (CoveredTile, CannotHideOnAnOccupiedPlace)
 {
   // All that it sees there fits; but that is where another tile of the wall is.
   MotionState state = scene_.solved();
@@ -120,7 +120,7 @@ TEST_F (CoveredTile, CannotHideOnAPlaceThatIsTaken)
   EXPECT_EQ (state.body_of, scene_.solved().body_of);
 }
 
-TEST_F (CoveredTile, KeepsAPlaceThatNobodyClaims)
+TEST_F (CoveredTile, KeepsAFreePlace)
 {
   // The wall below looks different from what is there: it must have gone elsewhere.
   MotionState state = scene_.solved();

@@ -29,7 +29,7 @@ protected:
     DataTerm data = scene_.data();
     data.sweep (state, DataTerm::Pass::Linearize);
     WindowState window (state);
-    const int changes = followNeighbors (scene_.terms (data), links, {}, window);
+    const int changes = assignHiddenSegments (scene_.terms (data), links, {}, window);
     state = window.ofPair (0);
     return changes;
   }

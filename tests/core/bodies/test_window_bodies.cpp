@@ -41,7 +41,7 @@ public:
     second_data_.sweep (state_.ofPair (2), Pass::Linearize);
   }
 
-  /** Of both pairs; only the first one is asked when `both` is false. */
+  /** Of both pairs; only the first one is used when `both` is false. */
   std::vector<PairTerms>
   terms (bool both = true) const
   {
@@ -110,7 +110,7 @@ TEST (WindowBodies, CommonPosesAreThoseOfTheirOwnPair)
   EXPECT_LT ((pairs.state_.ofPair (2).poseOf (10) * c - other * c).norm(), 1e-3);
 }
 
-TEST (WindowBodies, SegmentsChooseByThePairsThatAreAsked)
+TEST (WindowBodies, SegmentsAreAssignedByTheGivenPairs)
 {
   // In the first pair plate 11 moves with the body beside it, in the second it does
   // not.
@@ -163,7 +163,7 @@ TEST (WindowBodies, RigidBodiesAreWeighedByAllTheirPairs)
     const float before = pixels.brightness_scale[0];
     std::vector<PairTerms> terms = pairs.terms();
     terms.push_back (terms.back());
-    sharpenRigidBodies (terms, state, {}, 1, pixels);
+    rescaleBodyNoise (terms, state, {}, 1, pixels);
     return pixels.brightness_scale[0] / before;
   };
   EXPECT_GT (sharpness (still), 2.0f);

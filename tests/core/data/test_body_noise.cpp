@@ -22,7 +22,7 @@ protected:
     DataTerm data = scene_.data();
     data.sweep (state, DataTerm::Pass::Linearize);
     SegmentPixels pixels = scene_.pixels();
-    sharpenRigidBodies (scene_.terms (data), WindowState (state), {}, threads, pixels);
+    rescaleBodyNoise (scene_.terms (data), WindowState (state), {}, threads, pixels);
     return pixels;
   }
 

@@ -32,7 +32,7 @@ protected:
       motion.current_from_reference = state.poseOf (k);
       motion.status = MotionStatus::Determined;
       motion.points = wall_.pixels.size (k);
-      motion.body = k;
+      motion.group = k;
       motion.centroid = wall_.pixels.centroid[k];
       scene_.segments.push_back (motion);
     }
@@ -88,10 +88,10 @@ TEST_F (Blended, NothingBlendsUnlessAsked)
 
 TEST_F (Blended, BodiesOfOneGroupBlendByTheirMotions)
 {
-  scene_.segments[1].body = 0;
+  scene_.segments[1].group = 0;
   EXPECT_NEAR (slideAt (19), 1.0 / (1.0 + std::exp (0.1)), 1e-4);
   // Equal motions stay exactly what they are.
-  scene_.segments[1].body = 1;
+  scene_.segments[1].group = 1;
   scene_.segments[1].current_from_reference =
       scene_.segments[0].current_from_reference =
           test::turnAbout ({0.1, 0.2, 2.0}, {0.01, 0.02, 0.03}, {0.1, 0.2, 0.3});

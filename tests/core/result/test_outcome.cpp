@@ -35,7 +35,7 @@ expectNothingKnown (const SceneFlow& flow)
   EXPECT_EQ (cv::countNonZero (cv::Mat (flow.flow == flow.flow).reshape (1)),
              0); // all NaN
   EXPECT_EQ (visiblePoints (flow), 0);
-  EXPECT_EQ (flow.dominant_body, -1);
+  EXPECT_EQ (flow.dominant_group, -1);
   for (const double parameter : flow.dominant_motion.parameters)
     EXPECT_EQ (parameter, 0.0);
 }
@@ -212,7 +212,7 @@ TEST_F (Outcome, AFrameWithItselfConverges)
   EXPECT_EQ (visiblePoints (flow), cv::countNonZero (flow.visibility));
 }
 
-TEST_F (Outcome, WhatStandsBeforeHalfOfTheSceneIsNoObjection)
+TEST_F (Outcome, WhatStandsBeforeHalfOfTheSceneIsNoFailure)
 {
   test::View view = scene_.render (true);
   view.depth (cv::Rect (0, 0, 90, scene_.height)) = 0.4f;
@@ -256,21 +256,21 @@ TEST_F (Outcome, ATrackerSaysSoAndRecovers)
 
 TEST (Conclude, FlagReasonAndMessageAgree)
 {
-  const Judgement objection{StopReason::DifferentPlaces, "because", 3};
+  const Judgement failure{StopReason::DifferentPlaces, "because", 3};
   for (const bool failed : {false, true})
     for (const auto cut_short : {StopReason::NotRun, StopReason::TimeLimit})
-      for (const bool objected : {false, true}) {
+      for (const bool failing : {false, true}) {
         Report report;
         report.stop_reason = endOfSolve (true, failed);
-        conclude (cut_short, {{}, objected ? objection : Judgement{}}, report);
-        const bool well = !failed && !objected && cut_short == StopReason::NotRun;
+        conclude (cut_short, {{}, failing ? failure : Judgement{}}, report);
+        const bool well = !failed && !failing && cut_short == StopReason::NotRun;
         EXPECT_EQ (report.converged, well);
         EXPECT_EQ (report.stop_reason,
                    cut_short != StopReason::NotRun ? cut_short
                    : failed                        ? StopReason::NumericalFailure
-                   : objected                      ? StopReason::DifferentPlaces
+                   : failing                       ? StopReason::DifferentPlaces
                                                    : StopReason::Converged);
-        if (objected) {
+        if (failing) {
           EXPECT_EQ (report.message, "frame 3 of the window: because");
         }
       }

@@ -53,9 +53,9 @@ TEST_F (Room, DisplacementsAreMetresAndFlowIsTheirPicture)
 TEST_F (Room, BodiesAreTheRoomAndTheBox)
 {
   const SceneFlow result = estimate();
-  EXPECT_GE (result.bodies, 2);
-  EXPECT_LE (result.bodies, 8);
-  ASSERT_EQ (result.dominant_body, 0);
+  EXPECT_GE (result.groups, 2);
+  EXPECT_LE (result.groups, 8);
+  ASSERT_EQ (result.dominant_group, 0);
   // Where most room points and most box points belong.
   int room_dominant = 0, room = 0, box_dominant = 0, box = 0;
   for (int y = 0; y < scene_.height; ++y)
@@ -63,7 +63,7 @@ TEST_F (Room, BodiesAreTheRoomAndTheBox)
       const int label = result.labels.at<int> (y, x);
       if (label < 0)
         continue;
-      const bool dominant = result.segments[label].body == result.dominant_body;
+      const bool dominant = result.segments[label].group == result.dominant_group;
       const bool on_box = view_.body.at<int> (y, x) == 1;
       (on_box ? box : room) += 1;
       (on_box ? box_dominant : room_dominant) += dominant ? 1 : 0;
@@ -128,7 +128,7 @@ TEST_F (Room, OneSegmentIsARigidScene)
           .estimate (reference_,
                      rigid.frame (rigid.render (true)),
                      Oversegmentation::fromFrame (reference_, cut));
-  EXPECT_EQ (result.bodies, 1);
+  EXPECT_EQ (result.groups, 1);
   EXPECT_EQ (result.segments[0].status, MotionStatus::Determined);
   EXPECT_EQ (result.segments[0].rank, 6);
   const RigidPose error = result.dominant_motion * rigid.motions[0].inverse();

@@ -39,7 +39,7 @@ TEST_F (Room, SameBytesForAnyNumberOfThreadsAndEveryTime)
     ASSERT_EQ (first.segments.size(), other.segments.size());
     for (std::size_t k = 0; k < first.segments.size(); ++k) {
       EXPECT_EQ (first.segments[k].information, other.segments[k].information);
-      EXPECT_EQ (first.segments[k].body, other.segments[k].body);
+      EXPECT_EQ (first.segments[k].group, other.segments[k].group);
     }
   }
 }

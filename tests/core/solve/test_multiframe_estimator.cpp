@@ -113,7 +113,7 @@ TEST (MultiframeEstimator, FollowsBodiesOverThreeFramesFromAnyReference)
       EXPECT_LT (meanError (room, reference, k, flow), 0.12)
           << reference << " to " << k;
       EXPECT_EQ (flow.segments.size(), result.motions[0].segments.size());
-      EXPECT_EQ (flow.bodies, result.frames[reference == 0 ? 1 : 0].bodies);
+      EXPECT_EQ (flow.groups, result.frames[reference == 0 ? 1 : 0].groups);
     }
   }
 }
@@ -173,8 +173,8 @@ TEST (MultiframeEstimator, StaticBackgroundIsOneBodyAndLetsTheBoxGo)
     parameters.static_background = true;
     const MultiframeSceneFlow known =
         MultiframeEstimator ({}, {}, parameters).estimate (room.frames, 0, segments);
-    EXPECT_LE (known.frames[last].bodies, plain.frames[last].bodies);
-    EXPECT_GE (known.frames[last].bodies, 2) << "the box moves";
+    EXPECT_LE (known.frames[last].groups, plain.frames[last].groups);
+    EXPECT_GE (known.frames[last].groups, 2) << "the box moves";
     EXPECT_LT (meanError (room, 0, last, known.frames[last]), 0.12);
     const Eigen::Vector3d wall (0, 0, 2.5);
     const Eigen::Vector3d truth = test::motionBetween (room.scene, 0, 0, last) * wall;

@@ -19,16 +19,16 @@ struct MergeTuning {
   int largest{6}; ///< bodies that every other one may join
 };
 
-/** \brief Which segment has been seen at a place; see "One place has one origin" in
+/** \brief Which segments land on one place; see "One place has one origin" in
  * DECISIONS.md. */
-struct ClaimTuning {
+struct LandingTuning {
   int cell{3};             ///< pixels
   int per_segment{128};    ///< points of a segment that count
   float looks_alike{2.5f}; ///< standard deviations of the intensity
 };
 
-/** \brief How segments choose among bodies; see "Leaving the largest body costs odds"
- * in DECISIONS.md. */
+/** \brief How segments are assigned to bodies; see "Leaving the largest body costs
+ * odds" in DECISIONS.md. */
 struct AssignmentTuning {
   double separation{0.25};       ///< cost of leaving all neighbours
   double window_separation{0.2}; ///< the same in a window of more frames
@@ -36,17 +36,19 @@ struct AssignmentTuning {
                           ///< the largest body: what leaving it costs all of its
                           ///< independent residuals together ...
   double most_prior{0.5}; ///< ... and at the most the mean of them
+  double flow_worth{0.3}; ///< residuals that optical flow of a segment is worth:
+                          ///< little, as it errs over whole regions
   int rounds{3};
   int largest{6};            ///< bodies that every segment tries
   double mostly_hidden{0.5}; ///< share of residuals: such a neighbour is no support
   double border_share{0.5};  ///< of points that may land on a neighbour's place
-  ClaimTuning claims;
+  LandingTuning landings;
 };
 
-/** \brief Segments that follow others. */
+/** \brief Hidden segments, which join a neighbour's body. */
 struct HiddenTuning {
-  double hidden{0.15}; ///< share of visible points: less says nothing
-  double seen{0.5};    ///< enough to lead others
+  double hidden{0.15}; ///< share of visible points: less makes a segment hidden
+  double seen{0.5};    ///< likewise: so much makes a neighbour a candidate
 };
 
 struct BodyTuning {

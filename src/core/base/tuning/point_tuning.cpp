@@ -41,8 +41,8 @@ limbValues (LimbTuning& limbs)
           {"points.limbs.from", &limbs.from, 1e-6, 10},
           {"points.limbs.to", &limbs.to, 1e-6, 10},
           {"points.limbs.anchors", &limbs.anchors, 3, 10000},
-          {"points.limbs.source_seeks", &limbs.source_seeks, 10, 1e6},
-          {"points.limbs.target_seeks", &limbs.target_seeks, 10, 1e6},
+          {"points.limbs.source_points", &limbs.source_points, 10, 1e6},
+          {"points.limbs.target_points", &limbs.target_points, 10, 1e6},
           {"points.limbs.fit_rounds", &limbs.fit_rounds, 1, 100},
           {"points.limbs.fit_pairs", &limbs.fit_pairs, 3, 1000}};
 }

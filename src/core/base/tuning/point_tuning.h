@@ -13,13 +13,14 @@ namespace pcl_msf {
 // of bodies with exact correspondences; see "Far limbs by geodesic anchors" in
 // DECISIONS.md.
 
-/** \brief How many points work. */
+/** \brief How many points take part. */
 struct PointCloudTuning {
-  int most_points{40000}; ///< that work, others follow their neighbours; more is slower
-  int samples{4000};      ///< of these in all solves but the last; more is slower
+  int most_points{
+      40000};        ///< of a cloud; others move as their neighbours; more is slower
+  int samples{4000}; ///< of these in all solves but the last; more is slower
 };
 
-/** \brief How points find each other. */
+/** \brief How points are matched. */
 struct PointMatchTuning {
   double isotropy{0.1};      ///< share of point-to-point in point-to-plane: more holds
                              ///< against sliding, less lets surfaces slide to fit
@@ -34,7 +35,7 @@ struct PointMatchTuning {
   int iterations{2};         ///< of the solver between two searches for matches
 };
 
-/** \brief What a bend may do to distances along the surface. */
+/** \brief How much bending may change distances along the surface. */
 struct IsometryTuning {
   float stretch{0.08f};   ///< of a distance
   float slack{0.015f};    ///< sizes, besides: what sampling does
@@ -64,10 +65,10 @@ struct LimbTuning {
   double from{0.2};        ///< sizes: scale of the pairs' robust weight, at first
   double to{0.03};         ///< and last
   int anchors{80};         ///< pairs that may be; more is slower
-  int source_seeks{1000};  ///< points that look for their place
-  int target_seeks{2000};  ///< and where
+  int source_points{1000}; ///< points that are matched by isometry
+  int target_points{2000}; ///< and those they are matched with
   int fit_rounds{5};       ///< of the robust fit of a segment to its pairs
-  int fit_pairs{4};        ///< that tell a segment's motion
+  int fit_pairs{4};        ///< that determine a segment's motion
 };
 
 /** \brief What moves as one. */

@@ -64,8 +64,8 @@ struct OutcomeTuning {
    * different ones 0.26 and less. */
   double same_place{0.47};
   /** Where texture tells nothing. Of 117 pairs of one place, taken without colour, 75 %
-   * or more of what lands on depth is found. Of 39 unrelated ones, to which nothing
-   * else objects, 36 find less: below few_found, or with 11 % of the rest in front. */
+   * or more of what lands on depth is found. Of 39 unrelated ones that pass every
+   * other test, 36 find less: below few_found, or with 11 % of the rest in front. */
   double found{0.7};
   double in_front{0.06}; ///< of what is found or in front
   double few_found{0.3}; ///< share of those that land; the others may be hidden

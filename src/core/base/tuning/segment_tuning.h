@@ -40,8 +40,8 @@ struct LinkTuning {
 struct PixelTuning {
   int least_samples{2048};   ///< of all segments together, see "Samples have a least
                              ///< number in all" in DECISIONS.md
-  float hidden_sigmas{5.0f}; ///< standard deviations of the inverse depth's noise that
-                             ///< the z-test forgives: more sees hidden points
+  float hidden_sigmas{5.0f}; ///< standard deviations of the inverse depth's noise
+                             ///< within which a point is visible: more sees hidden ones
 };
 
 struct SegmentTuning {

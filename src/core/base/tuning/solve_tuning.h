@@ -12,7 +12,7 @@ namespace pcl_msf {
 struct NoiseTuning {
   double least_intensity{0.005}; ///< standard deviation
   double model_error{0.15};      ///< pixels that rigid segments leave unexplained: more
-                                 ///< lets large bodies swallow small motions
+                                 ///< makes large bodies absorb small motions
   double relative_depth{0.003};  ///< of the inverse depth, beside the noise
   double brightness_area{20.0}; ///< pixels of level 0 that one residual is worth, until
   double icp_area{200.0};       ///< they are measured

@@ -10,6 +10,7 @@ listValues (StartTuning& tuning, TunedValues& values)
   RigidFitTuning& fit = tuning.fit;
   ProposalTuning& proposals = tuning.proposals;
   FlowTuning& flow = tuning.flow;
+  FlowEvidenceTuning& evidence = tuning.evidence;
   FarMotionTuning& far = tuning.far_motion;
   const TunedValues own{
       {"start.fit.smallest_scale", &fit.smallest_scale, 1e-3, 100},
@@ -17,7 +18,7 @@ listValues (StartTuning& tuning, TunedValues& values)
       {"start.fit.rotation_prior", &fit.rotation_prior, 0, 1e4},
       {"start.fit.depth_scale", &fit.depth_scale, 1e-3, 1000},
       {"start.fit.depth_weight", &fit.depth_weight, 0, 1000},
-      {"start.proposals.own_way", &proposals.own_way, 0, 100},
+      {"start.proposals.own_penalty", &proposals.own_penalty, 0, 100},
       {"start.proposals.rough", &proposals.rough, 0, 100},
       {"start.proposals.mostly_hidden", &proposals.mostly_hidden, 0, 1},
       {"start.proposals.clearly_better", &proposals.clearly_better, 0, 1},
@@ -33,6 +34,12 @@ listValues (StartTuning& tuning, TunedValues& values)
       {"start.flow.quarter_width", &flow.quarter_width, 64, 1e6},
       {"start.flow.quarter_depth_width", &flow.quarter_depth_width, 64, 1e6},
       {"start.flow.quarter_height", &flow.quarter_height, 64, 1e6},
+      {"start.evidence.samples", &evidence.samples, 1, 1000},
+      {"start.evidence.sigma", &evidence.sigma, 0.01, 100},
+      {"start.evidence.spread", &evidence.spread, 0, 100},
+      {"start.evidence.cap", &evidence.cap, 0.1, 1000},
+      {"start.evidence.solving", &evidence.solving, 0, 1000},
+      {"start.evidence.proposing", &evidence.proposing, 0, 1000},
       {"start.far_motion.features", &far.features, 10, 1e6},
       {"start.far_motion.distinct", &far.distinct, 0.1, 1},
       {"start.far_motion.group", &far.group, 3, 1000},

@@ -17,13 +17,13 @@ struct RigidFitTuning {
   float depth_weight{0.2f};   ///< pixels^2 per standard deviation^2
 };
 
-/** \brief Segments that jump. */
+/** \brief Poses that segments try. */
 struct ProposalTuning {
-  double own_way{0.05};         ///< cost that a motion of one's own must save
+  double own_penalty{0.05};     ///< cost of a candidate that is the segment's own
   double rough{0.2};            ///< of what links cost, as poses are rough yet
   double mostly_hidden{0.5};    ///< share of residuals: such a neighbour is no support
-  double clearly_better{0.995}; ///< factor that a jump must lower the cost by
-  int first_rounds{4};          ///< of jumps, at the start
+  double clearly_better{0.995}; ///< factor that a change must lower the cost by
+  int first_rounds{4};          ///< at the start
   int later_rounds{2};          ///< likewise, between levels
 };
 
@@ -40,6 +40,19 @@ struct FlowTuning {
                                 ///< their size, which is faster
   int quarter_depth_width{320}; ///< likewise, of images of depth
   int quarter_height{128};      ///< and of both
+};
+
+/** \brief Optical flow as evidence beside the residuals; see "Optical flow is evidence"
+ * in DECISIONS.md. */
+struct FlowEvidenceTuning {
+  int samples{9};        ///< of a segment; more is slower
+  double sigma{1.0};     ///< pixels: of flow in rich texture
+  double spread{1.5};    ///< standard deviation by what a segment's rigid fit leaves
+  double cap{5.0};       ///< standard deviations: wrong flow weighs no more; more holds
+                         ///< segments to it from farther away
+  double solving{2.0};   ///< independent residuals that a segment's flow is worth, at
+                         ///< coarse levels of the solve,
+  double proposing{1.0}; ///< and at the start's jumps
 };
 
 /** \brief Matched features; see "Features where flow fails" in DECISIONS.md. */
@@ -60,6 +73,7 @@ struct StartTuning {
   RigidFitTuning fit;
   ProposalTuning proposals;
   FlowTuning flow;
+  FlowEvidenceTuning evidence;
   FarMotionTuning far_motion;
   double unexplained{0.4}; ///< cost after the first start: the depth's flow is tried
   double lost{0.7};        ///< share of segments then: features are matched

@@ -72,14 +72,14 @@ void
 WindowSolve::fuseDepth()
 {
   const int reference = pairs_.reference();
-  std::vector<DepthWitness> witnesses;
+  std::vector<DepthSource> sources;
   for (int f = 0; f < pairs_.frames(); ++f)
     if (f != reference)
-      witnesses.push_back (
+      sources.push_back (
           {&frames_[f].levels()[0], state_.ofPair (pairs_.fromReference (f))});
   scene_.fused_depth = fuseInverseDepth (frames_[reference].levels()[0],
                                          segments_.labels(),
-                                         witnesses,
+                                         sources,
                                          scene_.noise,
                                          scene_.tuning.window.fusion,
                                          scene_.threads);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "visualization/seams.h"
+#include "visualization/closed_cloud.h"
 
 #include <algorithm>
 #include <array>

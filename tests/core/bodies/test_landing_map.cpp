@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "core/bodies/claim_map.h"
+#include "core/bodies/landing_map.h"
 #include "support/covered_wall.h"
 
 namespace {
@@ -12,13 +12,13 @@ using namespace pcl_msf;
 // Places are told apart to three pixels: tiles beside reach over the border.
 constexpr double kSeam = 0.25;
 
-class Claims : public testing::Test {
+class LandingMapTest : public testing::Test {
 protected:
   double
-  taken (const MotionState& state, int segment, int body)
+  occupied (const MotionState& state, int segment, int body)
   {
     const DataTerm data = scene_.data();
-    return ClaimMap (data, state, {}, 1).takenShare (data, segment, body);
+    return LandingMap (data, state, {}, 1).occupiedShare (data, segment, body);
   }
 
   /** The covered tile in a body of its own, which lands on a tile of the wall. */
@@ -33,80 +33,80 @@ protected:
   test::TiledScene scene_{test::coveredWall()};
 };
 
-TEST_F (Claims, PlaceOfALargerBodyIsTaken)
+TEST_F (LandingMapTest, PlaceOfALargerBodyIsOccupied)
 {
-  EXPECT_GT (taken (onTheFreeTile(), test::kCovered, 2), 0.9);
+  EXPECT_GT (occupied (onTheFreeTile(), test::kCovered, 2), 0.9);
 }
 
-TEST_F (Claims, LargerBodyIsHeardAmongMany)
+TEST_F (LandingMapTest, LargerBodyIsKeptAmongMany)
 {
-  // Three small bodies claim the place before the wall does.
+  // Three small bodies land there before the wall does.
   test::wipeTexture (scene_.pixels(), 0, 47);
   MotionState state = onTheFreeTile();
   for (const int row : {0, 1})
     test::setApart (state, test::kFree - 8 * (3 - row), test::tilesAway (0, 3 - row));
-  EXPECT_GT (taken (state, test::kCovered, 2), 0.9);
+  EXPECT_GT (occupied (state, test::kCovered, 2), 0.9);
 }
 
-TEST_F (Claims, OnlyThePointsOnThatPlaceCount)
+TEST_F (LandingMapTest, OnlyThePointsOnThatPlaceCount)
 {
   // Half of the tile stays on its own place, half lands on the tile below.
   MotionState state = scene_.solved();
   test::setApart (state, test::kFree, test::tilesAway (0, 0.5));
-  const double share = taken (state, test::kFree, 2);
+  const double share = occupied (state, test::kFree, 2);
   EXPECT_GE (share, 0.5);
   EXPECT_LE (share, 0.5 + kSeam);
 }
 
-TEST_F (Claims, OwnBodyLeavesRoom)
+TEST_F (LandingMapTest, OwnBodyLeavesRoom)
 {
   const MotionState state = onTheFreeTile();
-  EXPECT_EQ (taken (scene_.solved(), test::kFree, 0), 0.0);
-  EXPECT_EQ (taken (state, test::kWallTile, 0), 0.0);
-  EXPECT_LT (taken (scene_.solved(), test::kPlateTile, 1), kSeam);
+  EXPECT_EQ (occupied (scene_.solved(), test::kFree, 0), 0.0);
+  EXPECT_EQ (occupied (state, test::kWallTile, 0), 0.0);
+  EXPECT_LT (occupied (scene_.solved(), test::kPlateTile, 1), kSeam);
 }
 
-TEST_F (Claims, SmallerBodyIsNotBelieved)
+TEST_F (LandingMapTest, SmallerBodyDoesNotOccupy)
 {
   test::wipeTexture (scene_.pixels(), test::kCovered, test::kCovered);
-  EXPECT_EQ (taken (onTheFreeTile(), test::kFree, 0), 0.0);
+  EXPECT_EQ (occupied (onTheFreeTile(), test::kFree, 0), 0.0);
 }
 
-TEST_F (Claims, NeitherOfTwoEqualBodiesIsBelieved)
+TEST_F (LandingMapTest, NeitherOfTwoEqualBodiesOccupies)
 {
   MotionState state = onTheFreeTile();
   test::setApart (state, test::kFree, RigidPose{});
-  EXPECT_LT (taken (state, test::kCovered, 2), kSeam);
-  EXPECT_LT (taken (state, test::kFree, 3), kSeam);
+  EXPECT_LT (occupied (state, test::kCovered, 2), kSeam);
+  EXPECT_LT (occupied (state, test::kFree, 3), kSeam);
 }
 
-TEST_F (Claims, WhatLooksDifferentClaimsNothing)
+TEST_F (LandingMapTest, WhatLooksDifferentOccupiesNothing)
 {
   SegmentPixels& pixels = scene_.pixels();
   for (int i = pixels.begin[test::kFree]; i < pixels.begin[test::kFree + 1]; ++i)
     pixels.intensity[i] += 0.9f;
-  EXPECT_LT (taken (onTheFreeTile(), test::kCovered, 2), kSeam);
+  EXPECT_LT (occupied (onTheFreeTile(), test::kCovered, 2), kSeam);
 }
 
-TEST_F (Claims, WhatFloatsBeforeOrBehindTheSurfaceClaimsNothing)
+TEST_F (LandingMapTest, WhatFloatsBeforeOrBehindTheSurfaceOccupiesNothing)
 {
   test::wipeTexture (scene_.pixels(), 0, 47);
   for (const double off : {-0.3, 0.3}) {
     MotionState state = onTheFreeTile();
     state.poses[0] = test::turnAbout ({0, 0, 0}, {0, 0, 0}, {0, 0, off});
-    EXPECT_EQ (taken (state, test::kCovered, 2), 0.0) << off;
-    EXPECT_EQ (taken (scene_.solved(), test::kFree, 0), 0.0);
+    EXPECT_EQ (occupied (state, test::kCovered, 2), 0.0) << off;
+    EXPECT_EQ (occupied (scene_.solved(), test::kFree, 0), 0.0);
   }
 }
 
-TEST_F (Claims, OutsideTheImageIsNoPlace)
+TEST_F (LandingMapTest, OutsideTheImageIsNoPlace)
 {
   MotionState state = scene_.solved();
   for (const RigidPose& pose : {test::tilesAway (20, 0),
                                 test::tilesAway (0, -20),
                                 test::turnAbout ({0, 0, 0}, {0, 0, 0}, {0, 0, -5})}) {
     test::setApart (state, test::kCovered, pose);
-    EXPECT_EQ (taken (state, test::kCovered, state.body_of[test::kCovered]), 0.0);
+    EXPECT_EQ (occupied (state, test::kCovered, state.body_of[test::kCovered]), 0.0);
   }
 }
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "core/result/dense_result.h"
+#include "core/result/segment_results.h"
 #include "support/bending_wall.h"
 
 namespace {
@@ -75,9 +75,9 @@ TEST (MotionGroups, SmallBodiesOfASoftSurfaceAreOne)
   const SceneFlow scene = half.result();
   EXPECT_EQ (mixingAcross (half, scene), 1.0);
   EXPECT_EQ (scene.pairs[0].weight, 0.0);
-  EXPECT_EQ (scene.bodies, 1);
-  EXPECT_EQ (scene.segments[0].body, 0);
-  EXPECT_EQ (scene.segments[1].body, 0);
+  EXPECT_EQ (scene.groups, 1);
+  EXPECT_EQ (scene.segments[0].group, 0);
+  EXPECT_EQ (scene.segments[1].group, 0);
 }
 
 TEST (MotionGroups, SmallBodiesThatTearAreTwo)
@@ -85,25 +85,25 @@ TEST (MotionGroups, SmallBodiesThatTearAreTwo)
   const SlidingHalf half (2, 1, 1, false);
   const SceneFlow scene = half.result();
   EXPECT_EQ (mixingAcross (half, scene), 0.0);
-  EXPECT_EQ (scene.bodies, 2);
-  EXPECT_NE (scene.segments[0].body, scene.segments[1].body);
+  EXPECT_EQ (scene.groups, 2);
+  EXPECT_NE (scene.segments[0].group, scene.segments[1].group);
 }
 
 TEST (MotionGroups, JointOfALargeBodyStaysOne)
 {
   // Eight tiles a side are small, nine are large, and one large side is enough.
-  EXPECT_EQ (SlidingHalf (4, 4, 2, true).result().bodies, 1);
-  EXPECT_EQ (SlidingHalf (6, 3, 3, true).result().bodies, 2);
-  EXPECT_EQ (SlidingHalf (4, 3, 1, true).result().bodies, 2);
+  EXPECT_EQ (SlidingHalf (4, 4, 2, true).result().groups, 1);
+  EXPECT_EQ (SlidingHalf (6, 3, 3, true).result().groups, 2);
+  EXPECT_EQ (SlidingHalf (4, 3, 1, true).result().groups, 2);
 }
 
 TEST (MotionGroups, ConnectionsThatTheOptimizationKeptJoin)
 {
   SlidingHalf half (6, 3, 3, true);
   half.state_.weights.assign (half.wall_.links.size(), 0.96);
-  EXPECT_EQ (half.result().bodies, 1);
+  EXPECT_EQ (half.result().groups, 1);
   half.state_.weights.assign (half.wall_.links.size(), 0.94);
-  EXPECT_EQ (half.result().bodies, 2);
+  EXPECT_EQ (half.result().groups, 2);
 }
 
 TEST (MotionGroups, LiftingWeightsMixWhereTheFramesSayNothing)
@@ -114,16 +114,16 @@ TEST (MotionGroups, LiftingWeightsMixWhereTheFramesSayNothing)
   half.state_.weights[0] = 0.6;
   const SceneFlow scene = half.result();
   EXPECT_DOUBLE_EQ (mixingAcross (half, scene), 0.36);
-  EXPECT_EQ (scene.bodies, 2);
+  EXPECT_EQ (scene.groups, 2);
 }
 
-TEST (MotionGroups, TheLargestLeads)
+TEST (MotionGroups, TheLargestIsFirst)
 {
   const SlidingHalf half (4, 3, 1, false);
   const SceneFlow scene = half.result();
-  EXPECT_EQ (scene.dominant_body, 0);
-  EXPECT_EQ (scene.segments[0].body, 0);
-  EXPECT_EQ (scene.segments[3].body, 1);
+  EXPECT_EQ (scene.dominant_group, 0);
+  EXPECT_EQ (scene.segments[0].group, 0);
+  EXPECT_EQ (scene.segments[3].group, 1);
   EXPECT_EQ (scene.dominant_motion.parameters, half.state_.poses[0].parameters);
 }
 
@@ -137,7 +137,7 @@ TEST (MotionGroups, SameForAnyNumberOfThreads)
     for (std::size_t i = 0; i < one.pairs.size(); ++i)
       EXPECT_EQ (more.pairs[i].mixing, one.pairs[i].mixing);
     for (std::size_t k = 0; k < one.segments.size(); ++k)
-      EXPECT_EQ (more.segments[k].body, one.segments[k].body);
+      EXPECT_EQ (more.segments[k].group, one.segments[k].group);
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "io/base/figure_parts.h"
+#include "io/base/drawing.h"
 
 #include <opencv2/imgproc.hpp>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/result/dense_points.h"
-#include "core/result/dense_result.h"
 #include "core/result/dense_visibility.h"
 #include "core/result/deviations.h"
 #include "core/result/outcome.h"
 #include "core/result/pose_covariance.h"
+#include "core/result/segment_results.h"
 #include "core/solve/window_solve.h"
 
 /* The results of WindowSolve, at the level of its last round. */

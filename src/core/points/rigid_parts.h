@@ -10,7 +10,7 @@
 namespace pcl_msf {
 
 /** \brief The source's working points as parts. Lengths scaled. */
-struct BodyParts {
+struct RigidParts {
   std::vector<int> part;                ///< per working point, the largest part first
   std::vector<RigidPose> poses;         ///< per part
   std::vector<Matrix6> information;     ///< per part, of the pose's parameters
@@ -22,7 +22,7 @@ struct BodyParts {
 /** \brief Merges segments that move as one. A part that is large enough for a body of
  * its own moves rigidly up to its border, its motion fitted to all of its points; on
  * the rest of the surface motions blend. \param merge false: every segment is a part */
-BodyParts
+RigidParts
 findParts (const PointClouds& clouds,
            PointSolve& solve,
            bool merge,

@@ -10,7 +10,7 @@
 
 namespace pcl_msf {
 
-/** \brief What the frames say about the border between two segments. */
+/** \brief What the frames show at the border between two segments. */
 enum class LinkEvidence : char {
   None, ///< nothing: no texture, no shape, or equal motions
   Soft, ///< points between the centres move by a mixture of both motions
@@ -23,10 +23,10 @@ enum class LinkEvidence : char {
  * tells whether a soft surface bridges the difference.
  * \param data at the finest level, linearized at the state */
 std::vector<LinkEvidence>
-judgeLinks (const DataTerm& data,
-            const std::vector<SegmentLink>& links,
-            const MotionState& state,
-            const SoftTuning& tuning,
-            int threads);
+classifyLinks (const DataTerm& data,
+               const std::vector<SegmentLink>& links,
+               const MotionState& state,
+               const SoftTuning& tuning,
+               int threads);
 
 } // namespace pcl_msf

@@ -9,46 +9,46 @@
 namespace pcl_msf::io {
 
 cv::Mat
-bodyImage (const SceneFlow& flow)
+groupImage (const SceneFlow& flow)
 {
   const int segments = static_cast<int> (flow.segments.size());
-  cv::Mat bodies (flow.labels.size(), CV_32SC1, cv::Scalar (-1));
-  for (int row = 0; row < bodies.rows; ++row)
-    for (int col = 0; col < bodies.cols; ++col) {
+  cv::Mat groups (flow.labels.size(), CV_32SC1, cv::Scalar (-1));
+  for (int row = 0; row < groups.rows; ++row)
+    for (int col = 0; col < groups.cols; ++col) {
       const int label = flow.labels.at<int> (row, col);
       if (label >= 0 && label < segments &&
           flow.segments[label].status != MotionStatus::Undetermined)
-        bodies.at<int> (row, col) = flow.segments[label].body;
+        groups.at<int> (row, col) = flow.segments[label].group;
     }
-  return bodies;
+  return groups;
 }
 
 void
-setBodies (const cv::Mat& bodies, SceneFlow& flow)
+setGroups (const cv::Mat& groups, SceneFlow& flow)
 {
-  if (bodies.type() != CV_32SC1 || bodies.size() != flow.labels.size())
-    throw InvalidInput ("motion groups: the image is " + std::to_string (bodies.cols) +
-                        "x" + std::to_string (bodies.rows) + ", the scene flow " +
+  if (groups.type() != CV_32SC1 || groups.size() != flow.labels.size())
+    throw InvalidInput ("motion groups: the image is " + std::to_string (groups.cols) +
+                        "x" + std::to_string (groups.rows) + ", the scene flow " +
                         std::to_string (flow.labels.cols) + "x" +
                         std::to_string (flow.labels.rows) +
                         "; give the CV_32SC1 image that belongs to it");
   for (SegmentMotion& segment : flow.segments)
-    segment.body = -1;
-  for (int row = bodies.rows - 1; row >= 0; --row)
-    for (int col = bodies.cols - 1; col >= 0; --col) {
+    segment.group = -1;
+  for (int row = groups.rows - 1; row >= 0; --row)
+    for (int col = groups.cols - 1; col >= 0; --col) {
       const int label = flow.labels.at<int> (row, col);
       if (label >= 0 && label < static_cast<int> (flow.segments.size()))
-        flow.segments[label].body = bodies.at<int> (row, col);
+        flow.segments[label].group = groups.at<int> (row, col);
     }
-  flow.bodies = 0;
+  flow.groups = 0;
   for (const SegmentMotion& segment : flow.segments)
-    flow.bodies = std::max (flow.bodies, segment.body + 1);
-  std::vector<long> points (flow.bodies, 0);
+    flow.groups = std::max (flow.groups, segment.group + 1);
+  std::vector<long> points (flow.groups, 0);
   for (const SegmentMotion& segment : flow.segments)
-    if (segment.body >= 0)
-      points[segment.body] += segment.points;
-  flow.dominant_body =
-      flow.bodies > 0
+    if (segment.group >= 0)
+      points[segment.group] += segment.points;
+  flow.dominant_group =
+      flow.groups > 0
           ? static_cast<int> (std::max_element (points.begin(), points.end()) -
                               points.begin())
           : -1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "core/points/body_parts.h"
+#include "core/points/rigid_parts.h"
 
 #include "core/base/parallel_for.h"
 #include "core/points/residual_scale.h"
@@ -43,7 +43,7 @@ public:
   , all_{source_.points, source_.normals, segments_.members}
   {}
 
-  BodyParts
+  RigidParts
   run (bool merge)
   {
     part_of_.resize (segments_.size());
@@ -278,7 +278,7 @@ private:
     }
     return any;
   }
-  BodyParts
+  RigidParts
   result ()
   {
     if (part_.empty()) {
@@ -286,7 +286,7 @@ private:
       part_poses_ = poses_;
       moments_.assign (poses_.size(), {});
     }
-    BodyParts parts;
+    RigidParts parts;
     std::vector<int> sizes (part_poses_.size(), 0);
     for (const int p : part_)
       ++sizes[p];
@@ -331,7 +331,7 @@ private:
 
 } // namespace
 
-BodyParts
+RigidParts
 findParts (const PointClouds& clouds,
            PointSolve& solve,
            bool merge,

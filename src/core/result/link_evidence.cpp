@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "core/result/soft_links.h"
+#include "core/result/link_evidence.h"
 
 #include <Eigen/Core>
 
@@ -22,12 +22,14 @@ struct Side {
   Eigen::Vector2f center;
 };
 
-class LinkJudge {
+class LinkClassifier {
 public:
-  LinkJudge (const DataTerm& data, const MotionState& state, const SoftTuning& tuning);
+  LinkClassifier (const DataTerm& data,
+                  const MotionState& state,
+                  const SoftTuning& tuning);
 
   LinkEvidence
-  judge (const SegmentLink& link) const;
+  classify (const SegmentLink& link) const;
 
 private:
   struct Costs {
@@ -49,9 +51,9 @@ private:
   std::vector<int> body_of_;
 };
 
-LinkJudge::LinkJudge (const DataTerm& data,
-                      const MotionState& state,
-                      const SoftTuning& tuning)
+LinkClassifier::LinkClassifier (const DataTerm& data,
+                                const MotionState& state,
+                                const SoftTuning& tuning)
 : data_ (data), image_ (data.image()), tuning_ (tuning), body_of_ (state.body_of)
 {
   for (int k = 0; k < data.pixels().segments(); ++k) {
@@ -67,7 +69,7 @@ LinkJudge::LinkJudge (const DataTerm& data,
 
 /** Does the frame show where a point has gone? */
 bool
-LinkJudge::inView (const Eigen::Vector3f& q) const
+LinkClassifier::inView (const Eigen::Vector3f& q) const
 {
   if (!(q.z() > 1e-3f))
     return false;
@@ -79,7 +81,9 @@ LinkJudge::inView (const Eigen::Vector3f& q) const
 /** Cost of the brightness and the plane distance of a point in view, truncated; the
  * limit instead of the latter when it is not on the frame's surface. */
 float
-LinkJudge::misfit (int i, const Eigen::Vector3f& q, const Eigen::Vector3f& normal) const
+LinkClassifier::misfit (int i,
+                        const Eigen::Vector3f& q,
+                        const Eigen::Vector3f& normal) const
 {
   const SegmentPixels& p = data_.pixels();
   const kernel::Rules& rules = data_.rules();
@@ -97,7 +101,7 @@ LinkJudge::misfit (int i, const Eigen::Vector3f& q, const Eigen::Vector3f& norma
 }
 
 void
-LinkJudge::addSide (const Side& own, const Side& other, int k, Costs& costs) const
+LinkClassifier::addSide (const Side& own, const Side& other, int k, Costs& costs) const
 {
   const SegmentPixels& p = data_.pixels();
   const Eigen::Vector2f way = other.center - own.center;
@@ -118,7 +122,7 @@ LinkJudge::addSide (const Side& own, const Side& other, int k, Costs& costs) con
     const Eigen::Vector3f moved = own.rotation * point + own.translation;
     const Eigen::Vector3f as_other = other.rotation * point + other.translation;
     const Eigen::Vector3f mixed = moved + share * (as_other - moved);
-    if (!inView (moved) || !inView (mixed)) // leaving the view is nobody's fault
+    if (!inView (moved) || !inView (mixed)) // counts for neither
       continue;
     costs.own += misfit (i, moved, normal);
     costs.mixed += misfit (i, mixed, normal);
@@ -127,7 +131,7 @@ LinkJudge::addSide (const Side& own, const Side& other, int k, Costs& costs) con
 }
 
 LinkEvidence
-LinkJudge::judge (const SegmentLink& link) const
+LinkClassifier::classify (const SegmentLink& link) const
 {
   if (body_of_[link.first] == body_of_[link.second])
     return LinkEvidence::None;
@@ -145,16 +149,17 @@ LinkJudge::judge (const SegmentLink& link) const
 } // namespace
 
 std::vector<LinkEvidence>
-judgeLinks (const DataTerm& data,
-            const std::vector<SegmentLink>& links,
-            const MotionState& state,
-            const SoftTuning& tuning,
-            int threads)
+classifyLinks (const DataTerm& data,
+               const std::vector<SegmentLink>& links,
+               const MotionState& state,
+               const SoftTuning& tuning,
+               int threads)
 {
-  const LinkJudge judge (data, state, tuning);
+  const LinkClassifier classifier (data, state, tuning);
   std::vector<LinkEvidence> evidence (links.size(), LinkEvidence::None);
   const int n = static_cast<int> (links.size());
-  parallelFor (threads, n, 16, [&] (int i) { evidence[i] = judge.judge (links[i]); });
+  parallelFor (
+      threads, n, 16, [&] (int i) { evidence[i] = classifier.classify (links[i]); });
   return evidence;
 }
 

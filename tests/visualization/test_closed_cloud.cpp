@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "visualization/seams.h"
+#include "visualization/closed_cloud.h"
 #include <gmock/gmock.h>
 
 #include <limits>

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "core/result/soft_links.h"
+#include "core/result/link_evidence.h"
 #include "support/bending_wall.h"
 
 #include <set>
@@ -25,7 +25,7 @@ LinkEvidence
 evidenceOf (const BendingWall& wall, const MotionState& state)
 {
   EXPECT_EQ (wall.links.size(), 1u);
-  return judgeLinks (wall.data (state), wall.links, state, {}, 1)[0];
+  return classifyLinks (wall.data (state), wall.links, state, {}, 1)[0];
 }
 
 LinkEvidence
@@ -101,7 +101,7 @@ TEST (SoftLinks, FewPointsTellNothing)
   const BendingWall wall (8, 1, stretches);
   const SegmentLink far{0, 7, Eigen::Vector3d::Zero(), 1.0};
   const MotionState state = wall.truth();
-  EXPECT_EQ (judgeLinks (wall.data (state), {far}, state, {}, 1)[0],
+  EXPECT_EQ (classifyLinks (wall.data (state), {far}, state, {}, 1)[0],
              LinkEvidence::None);
 }
 
@@ -112,7 +112,7 @@ TEST (SoftLinks, SameForAnyNumberOfThreads)
     return WallShift{x < 79.75 ? 3.0 * ramp (x, 9.5, 69.5) : -2.0, 0.0};
   });
   const MotionState state = wall.truth();
-  const auto one = judgeLinks (wall.data (state), wall.links, state, {}, 1);
+  const auto one = classifyLinks (wall.data (state), wall.links, state, {}, 1);
   ASSERT_EQ (one.size(), wall.links.size());
   const std::set<LinkEvidence> kinds (one.begin(), one.end());
   EXPECT_EQ (kinds.size(), 3u);
@@ -123,7 +123,7 @@ TEST (SoftLinks, SameForAnyNumberOfThreads)
         << link.first << " " << link.second;
   }
   for (const int threads : {2, 5})
-    EXPECT_EQ (judgeLinks (wall.data (state), wall.links, state, {}, threads), one);
+    EXPECT_EQ (classifyLinks (wall.data (state), wall.links, state, {}, threads), one);
 }
 
 } // namespace

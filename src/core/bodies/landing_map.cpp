@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "core/bodies/claim_map.h"
+#include "core/bodies/landing_map.h"
 
 #include <Eigen/Core>
 
@@ -68,10 +68,10 @@ private:
 
 } // namespace
 
-ClaimMap::ClaimMap (const DataTerm& data,
-                    const MotionState& state,
-                    const ClaimTuning& tuning,
-                    int threads)
+LandingMap::LandingMap (const DataTerm& data,
+                        const MotionState& state,
+                        const LandingTuning& tuning,
+                        int threads)
 : state_ (state)
 , points_ (state.poses.size(), 0)
 , cell_ (tuning.cell)
@@ -81,7 +81,7 @@ ClaimMap::ClaimMap (const DataTerm& data,
   const SegmentPixels& p = data.pixels();
   for (int k = 0; k < p.segments(); ++k)
     points_[state.body_of[k]] += p.size (k);
-  std::vector<std::vector<int>> cells (p.segments()); // that each wants
+  std::vector<std::vector<int>> cells (p.segments()); // that each lands on
   parallelFor (threads, p.segments(), 8, [&] (int k) {
     Landing landing (data, state.poseOf (k));
     const int step = std::max (1, p.size (k) / tuning.per_segment);
@@ -92,18 +92,18 @@ ClaimMap::ClaimMap (const DataTerm& data,
   });
   for (int k = 0; k < p.segments(); ++k)
     for (const int cell : cells[k])
-      claim (k, cell);
+      enter (k, cell);
 }
 
 int
-ClaimMap::cellOf (const ImagePlace& at) const
+LandingMap::cellOf (const ImagePlace& at) const
 {
   return (static_cast<int> (at.v + 0.5f) / cell_) * columns_ +
          static_cast<int> (at.u + 0.5f) / cell_;
 }
 
 bool
-ClaimMap::larger (int segment, int other) const
+LandingMap::larger (int segment, int other) const
 {
   if (other < 0)
     return true;
@@ -113,36 +113,36 @@ ClaimMap::larger (int segment, int other) const
 }
 
 void
-ClaimMap::claim (int segment, int cell)
+LandingMap::enter (int segment, int cell)
 {
-  auto& claims = cells_[cell].segment;
-  if (segment == claims[0] || segment == claims[1])
+  auto& entered = cells_[cell].segment;
+  if (segment == entered[0] || segment == entered[1])
     return;
-  if (larger (segment, claims[0])) {
-    claims[1] = claims[0];
-    claims[0] = segment;
+  if (larger (segment, entered[0])) {
+    entered[1] = entered[0];
+    entered[0] = segment;
   }
-  else if (larger (segment, claims[1]))
-    claims[1] = segment;
+  else if (larger (segment, entered[1]))
+    entered[1] = segment;
 }
 
 double
-ClaimMap::takenShare (const DataTerm& sample, int segment, int body) const
+LandingMap::occupiedShare (const DataTerm& sample, int segment, int body) const
 {
   const SegmentPixels& p = sample.pixels();
   Landing landing (sample, state_.poses[body]);
-  int taken = 0;
+  int occupied = 0;
   for (int i = p.begin[segment]; i < p.begin[segment + 1]; ++i) {
     if (!landing.onSurface (i))
       continue;
     for (const int other : cells_[cellOf (landing.place())].segment)
       if (other >= 0 && other != segment &&
           points_[state_.body_of[other]] > points_[body]) {
-        ++taken;
+        ++occupied;
         break;
       }
   }
-  return static_cast<double> (taken) / std::max (1, p.size (segment));
+  return static_cast<double> (occupied) / std::max (1, p.size (segment));
 }
 
 } // namespace pcl_msf

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "core/result/dense_result.h"
+#include "core/result/segment_results.h"
 
 #include <Eigen/Eigenvalues>
 
+#include "core/result/link_evidence.h"
 #include "core/result/motion_groups.h"
-#include "core/result/soft_links.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +60,6 @@ fillOwnMotion (const DataTerm& data,
 {
   const SegmentPixels& p = data.pixels();
   motion.current_from_reference = state.poseOf (k);
-  motion.body = state.body_of[k];
   motion.centroid = p.centroid[k];
   motion.points = p.size (k);
   motion.visible_points = 0;
@@ -120,6 +119,7 @@ supportBodies (const DataTerm& data,
  * strong link, over any number of links. */
 void
 spreadSupport (const std::vector<SegmentPair>& pairs,
+               const std::vector<int>& body_of,
                double connected,
                std::vector<SegmentMotion>& segments)
 {
@@ -129,7 +129,7 @@ spreadSupport (const std::vector<SegmentPair>& pairs,
     for (const SegmentPair& pair : pairs) {
       SegmentMotion& a = segments[pair.first];
       SegmentMotion& b = segments[pair.second];
-      if (pair.weight < connected && a.body != b.body)
+      if (pair.weight < connected && body_of[pair.first] != body_of[pair.second])
         continue;
       const bool a_known = a.status != MotionStatus::Undetermined;
       const bool b_known = b.status != MotionStatus::Undetermined;
@@ -165,7 +165,7 @@ fillSegments (const DataTerm& data,
   for (int k = 0; k < segments; ++k)
     fillOwnMotion (data, state, residual_scale, tuning.status, k, result.segments[k]);
   result.pairs.clear();
-  const auto evidence = judgeLinks (data, links, state, tuning.soft, threads);
+  const auto evidence = classifyLinks (data, links, state, tuning.soft, threads);
   for (std::size_t i = 0; i < links.size(); ++i) {
     const bool one_body =
         state.body_of[links[i].first] == state.body_of[links[i].second];
@@ -175,7 +175,7 @@ fillSegments (const DataTerm& data,
   }
   supportBodies (
       data, state, residual_scale, tuning.status.rank_share, result.segments);
-  spreadSupport (result.pairs, tuning.status.connected, result.segments);
+  spreadSupport (result.pairs, state.body_of, tuning.status.connected, result.segments);
   numberGroups (state, tuning.groups, result);
 }
 

@@ -9,9 +9,9 @@
 namespace pcl_msf::synthetic {
 
 /** \brief Random numbers that are the same on every platform. */
-class Chance {
+class Random {
 public:
-  explicit Chance (std::uint64_t seed) : state_ (mixed (seed)) {}
+  explicit Random (std::uint64_t seed) : state_ (mixed (seed)) {}
 
   double
   uniform (double low, double high)

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/motion/flow_evidence.h"
+
+#include <utility>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr double kNearest = 1e-3; // metres: nothing nearer has an image
+
+using Projection = Eigen::Matrix<double, 2, 3>;
+
+} // namespace
+
+FlowEvidence::FlowEvidence (std::vector<FlowMatch> matches,
+                            std::vector<int> begin,
+                            const PinholeCamera& camera,
+                            double cap)
+: matches_ (std::move (matches))
+, begin_ (std::move (begin))
+, camera_ (camera)
+, cap_ (cap)
+{}
+
+double
+FlowEvidence::cost (int segment,
+                    const RigidPose& pose,
+                    double weight,
+                    Matrix6* information,
+                    Vector6* gradient) const
+{
+  const int count = begin_[segment + 1] - begin_[segment];
+  if (count == 0)
+    return 0.0;
+  const Eigen::Matrix3d rotation = pose.rotation();
+  const Eigen::Vector3d translation = pose.translation();
+  const Eigen::Matrix3d left =
+      leftJacobian ({pose.parameters[0], pose.parameters[1], pose.parameters[2]});
+  const double cap2 = cap_ * cap_;
+  double sum = 0.0;
+  for (int i = begin_[segment]; i < begin_[segment + 1]; ++i) {
+    const FlowSample& s = matches_[i].sample;
+    const Eigen::Vector3d turned = rotation * Eigen::Vector3d (s.x, s.y, s.z);
+    const Eigen::Vector3d p = turned + translation;
+    if (!(p.z() > kNearest)) {
+      sum += 0.5 * cap2;
+      continue;
+    }
+    const float* w = matches_[i].whitening;
+    Eigen::Matrix2d whitening;
+    whitening << w[0], w[1], w[1], w[2];
+    const double x = camera_.fx / p.z();
+    const double y = camera_.fy / p.z();
+    const Eigen::Vector2d r =
+        whitening *
+        Eigen::Vector2d (x * p.x() + camera_.cx - s.u, y * p.y() + camera_.cy - s.v);
+    const double trust = cap2 / (cap2 + r.squaredNorm());
+    sum += 0.5 * trust * r.squaredNorm();
+    if (!information)
+      continue;
+    Projection by_point;
+    by_point << x, 0.0, -x * p.x() / p.z(), 0.0, y, -y * p.y() / p.z();
+    by_point = (whitening * by_point).eval();
+    Eigen::Matrix<double, 2, 6> j;
+    j << -by_point * skew (turned) * left, by_point;
+    const double scale = weight * trust * trust / count;
+    *information += scale * j.transpose() * j;
+    *gradient += scale * j.transpose() * r;
+  }
+  return sum / count;
+}
+
+} // namespace pcl_msf
