@@ -125,11 +125,11 @@ addConfidence (const SceneFlow& flow, Json& json)
     json["median_flow_deviation_px"] = pixels;
   if (metres > 0.0)
     json["median_displacement_deviation_m"] = metres;
-  const bool has_group = flow.dominant_body >= 0 &&
-                         flow.dominant_body < static_cast<int> (flow.groups.size());
-  if (has_group && flow.groups[flow.dominant_body].information.allFinite())
+  const bool has_group = flow.dominant_group >= 0 &&
+                         flow.dominant_group < static_cast<int> (flow.group_motions.size());
+  if (has_group && flow.group_motions[flow.dominant_group].information.allFinite())
     json["dominant_motion_information"] =
-        rowsOf (flow.groups[flow.dominant_body].information);
+        rowsOf (flow.group_motions[flow.dominant_group].information);
 }
 
 long

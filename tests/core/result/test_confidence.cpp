@@ -197,9 +197,9 @@ informed (const test::TiledScene& scene, const MotionState& state, int threads =
     segment.status = MotionStatus::Determined;
     segment.points = data.pixels().size (static_cast<int> (k));
     segment.visible_points = segment.points;
-    segment.body = state.body_of[k];
+    segment.group = state.body_of[k];
   }
-  result.bodies = static_cast<int> (state.poses.size());
+  result.groups = static_cast<int> (state.poses.size());
   fillInformation (
       data, scene.links(), state, scene.residualScale(), {}, threads, result);
   return result;
@@ -211,14 +211,14 @@ TEST (Confidence, EverySegmentAndGroupHasInformationTheSameForAnyThreads)
   const MotionState state = scene.solved();
   const SceneFlow one = informed (scene, state);
   const SceneFlow more = informed (scene, state, 3);
-  ASSERT_EQ (one.groups.size(), 2U);
+  ASSERT_EQ (one.group_motions.size(), 2U);
   int segments = 0;
-  for (const GroupMotion& group : one.groups)
+  for (const GroupMotion& group : one.group_motions)
     segments += group.segments;
   EXPECT_EQ (segments, static_cast<int> (one.segments.size()));
   for (std::size_t k = 0; k < one.segments.size(); ++k) {
     EXPECT_EQ (one.segments[k].information, more.segments[k].information);
-    const GroupMotion& group = one.groups[one.segments[k].body];
+    const GroupMotion& group = one.group_motions[one.segments[k].group];
     EXPECT_EQ (group.current_from_reference.parameters,
                one.segments[k].current_from_reference.parameters);
     for (int i = 0; i < 6; ++i) {
