@@ -68,7 +68,7 @@ public:
             const kernel::Rules& rules,
             int threads);
 
-  /** \brief Has optical flow's say, too. \param flow must outlive the term
+  /** \brief Weighs optical flow, too. \param flow must outlive the term
    * \param residual a mean residual's share of the energy
    * \param solving residuals that a segment's flow is worth in sweeps */
   void

@@ -42,44 +42,15 @@ PairStart::run (const cv::Mat& labels,
                 const RigidPose& guess,
                 const std::vector<RigidPose>& given)
 {
-  const FrameLevel& reference = reference_.levels()[at];
   SegmentPixels points =
-      probePoints (reference, labels, scene_, pointOptions (scene_, at));
-  scene_.links = linkNearestCentroids (points.centroid, energy_.neighbors);
-  weighLinksBySurface (labels,
-                       reference,
-                       reference_.inverseDepthNoise(),
-                       scene_.tuning.segments,
-                       scene_.links);
-  std::vector<char> wanted (scene_.segments, 1);
-  const auto lift = [&] (const CoarseFlow& flow) {
-    return hypothesesFromFlow (flow,
-                               current_,
-                               points,
-                               wanted,
-                               at,
-                               scene_.noise,
-                               guess,
-                               scene_.tuning.start,
-                               scene_.threads);
-  };
+      probePoints (reference_.levels()[at], labels, scene_, pointOptions (scene_, at));
+  linkSegments (labels, at, points);
   FlowHypotheses flow;
   CoarseFlow optical; // empty without intensity
   if (solver_.flow_proposals && reference_.hasIntensity()) {
     optical = estimateOpticalFlow (
         reference_, current_, scene_.tuning.start.flow, scene_.threads);
-    flow = lift (optical);
-    scene_.flow =
-        std::make_unique<FlowEvidence> (evidenceOfFlow (flow,
-                                                        reference_,
-                                                        current_.camera(),
-                                                        scene_.noise,
-                                                        scene_.tuning.start.evidence,
-                                                        scene_.threads));
-    scene_.change = fitBrightnessChange (
-        flow.pairs_reference, flow.pairs_current, scene_.tuning.frame.brightness);
-    for (float& intensity : points.intensity)
-      intensity = scene_.change.gain * intensity + scene_.change.offset;
+    flow = liftOptical (optical, at, guess, points);
   }
   if (!given.empty())
     return given;
@@ -92,44 +63,116 @@ PairStart::run (const cv::Mat& labels,
                    scene_.threads);
   if (scene_.flow)
     probes.setFlow (*scene_.flow, 1.0 / residualScale (energy_, points), 0.0);
-  const auto suggest = [&] (const FlowHypotheses& from) {
-    common_.insert (common_.end(), from.bodies.begin(), from.bodies.end());
-    propose (probes,
-             reference.camera.fx,
-             from,
-             scene_.tuning.start.evidence.proposing,
-             scene_.tuning.start.proposals.first_rounds,
-             {},
-             poses);
-  };
-  suggest (flow);
-  wanted = unexplained (probes, poses);
+  suggest (probes, at, flow, poses);
+  const std::vector<char> wanted = unexplained (probes, poses);
   if (solver_.flow_proposals &&
-      std::find (wanted.begin(), wanted.end(), 1) != wanted.end())
-    suggest (lift (estimateDepthFlow (
-        reference_, current_, scene_.tuning.start.flow, scene_.threads)));
-  if (!optical.flow.empty() && lostShare (probes, poses) > scene_.tuning.start.lost) {
-    const FarMotions far = findFarMotions (reference_,
-                                           current_,
-                                           optical,
-                                           guess,
-                                           fitOptions (scene_),
-                                           scene_.tuning.start.far_motion,
-                                           scene_.threads);
-    if (far.instead_of_flow) {
-      probes.dropFlow();
-      scene_.flow.reset();
-      compareExposure (far.motions.front(), at, points);
-      poses.assign (scene_.segments, guess);
-      common_ = {guess, RigidPose{}};
-    }
-    if (!far.motions.empty()) {
-      FlowHypotheses matched;
-      matched.bodies = far.motions;
-      suggest (matched);
-    }
+      std::find (wanted.begin(), wanted.end(), 1) != wanted.end()) {
+    const CoarseFlow depth = estimateDepthFlow (
+        reference_, current_, scene_.tuning.start.flow, scene_.threads);
+    suggest (probes, at, lift (depth, at, guess, points, wanted), poses);
   }
+  if (!optical.flow.empty() && lostShare (probes, poses) > scene_.tuning.start.lost)
+    suggestFarMotions (optical, at, guess, points, probes, poses);
   return poses;
+}
+
+void
+PairStart::linkSegments (const cv::Mat& labels, int at, const SegmentPixels& points)
+{
+  scene_.links = linkNearestCentroids (points.centroid, energy_.neighbors);
+  weighLinksBySurface (labels,
+                       reference_.levels()[at],
+                       reference_.inverseDepthNoise(),
+                       scene_.tuning.segments,
+                       scene_.links);
+}
+
+FlowHypotheses
+PairStart::lift (const CoarseFlow& flow,
+                 int at,
+                 const RigidPose& guess,
+                 const SegmentPixels& points,
+                 const std::vector<char>& wanted) const
+{
+  return hypothesesFromFlow (flow,
+                             current_,
+                             points,
+                             wanted,
+                             at,
+                             scene_.noise,
+                             guess,
+                             scene_.tuning.start,
+                             scene_.threads);
+}
+
+/** Motions of the optical flow, which tells the exposure and stays as evidence. */
+FlowHypotheses
+PairStart::liftOptical (const CoarseFlow& optical,
+                        int at,
+                        const RigidPose& guess,
+                        SegmentPixels& points)
+{
+  const std::vector<char> all (scene_.segments, 1);
+  FlowHypotheses flow = lift (optical, at, guess, points, all);
+  scene_.flow =
+      std::make_unique<FlowEvidence> (evidenceOfFlow (flow,
+                                                      reference_,
+                                                      current_.camera(),
+                                                      scene_.noise,
+                                                      scene_.tuning.start.evidence,
+                                                      scene_.threads));
+  scene_.change = fitBrightnessChange (
+      flow.pairs_reference, flow.pairs_current, scene_.tuning.frame.brightness);
+  for (float& intensity : points.intensity)
+    intensity = scene_.change.gain * intensity + scene_.change.offset;
+  return flow;
+}
+
+/** The motions that many share become common to all segments. */
+void
+PairStart::suggest (const DataTerm& probes,
+                    int at,
+                    const FlowHypotheses& from,
+                    std::vector<RigidPose>& poses)
+{
+  common_.insert (common_.end(), from.bodies.begin(), from.bodies.end());
+  propose (probes,
+           reference_.levels()[at].camera.fx,
+           from,
+           scene_.tuning.start.evidence.proposing,
+           scene_.tuning.start.proposals.first_rounds,
+           {},
+           poses);
+}
+
+/** Motions of matched features; where they contradict the flow, it is forgotten. */
+void
+PairStart::suggestFarMotions (const CoarseFlow& optical,
+                              int at,
+                              const RigidPose& guess,
+                              SegmentPixels& points,
+                              DataTerm& probes,
+                              std::vector<RigidPose>& poses)
+{
+  const FarMotions far = findFarMotions (reference_,
+                                         current_,
+                                         optical,
+                                         guess,
+                                         fitOptions (scene_),
+                                         scene_.tuning.start.far_motion,
+                                         scene_.threads);
+  if (far.instead_of_flow) {
+    probes.dropFlow();
+    scene_.flow.reset();
+    compareExposure (far.motions.front(), at, points);
+    poses.assign (scene_.segments, guess);
+    common_ = {guess, RigidPose{}};
+  }
+  if (far.motions.empty())
+    return;
+  FlowHypotheses matched;
+  matched.bodies = far.motions;
+  suggest (probes, at, matched, poses);
 }
 
 void

@@ -22,7 +22,7 @@ public:
 
   /** \param labels of the reference \param at their level
    * \param given poses that are kept, one per segment; optical flow then tells the
-   * exposure alone; empty = search \return per segment */
+   * exposure and stays as evidence; empty = search \return per segment */
   std::vector<RigidPose>
   run (const cv::Mat& labels,
        int at,
@@ -38,6 +38,31 @@ public:
   proposeToLost (const WindowLevel& level, std::vector<RigidPose>& poses) const;
 
 private:
+  void
+  linkSegments (const cv::Mat& labels, int at, const SegmentPixels& points);
+  FlowHypotheses
+  lift (const CoarseFlow& flow,
+        int at,
+        const RigidPose& guess,
+        const SegmentPixels& points,
+        const std::vector<char>& wanted) const;
+  FlowHypotheses
+  liftOptical (const CoarseFlow& optical,
+               int at,
+               const RigidPose& guess,
+               SegmentPixels& points);
+  void
+  suggest (const DataTerm& probes,
+           int at,
+           const FlowHypotheses& from,
+           std::vector<RigidPose>& poses);
+  void
+  suggestFarMotions (const CoarseFlow& optical,
+                     int at,
+                     const RigidPose& guess,
+                     SegmentPixels& points,
+                     DataTerm& probes,
+                     std::vector<RigidPose>& poses);
   int
   propose (const DataTerm& probes,
            double focal_length,

@@ -41,7 +41,7 @@ public:
     own_[segment].push_back (pose);
   }
 
-  /** \brief Has optical flow's say, too. \param residuals that it is worth, a segment
+  /** \brief Weighs optical flow, too. \param residuals that it is worth, a segment
    */
   void
   weighFlow (double residuals)
