@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/base/order_statistics.h"
 #include <pcl_msf/cloud_conversions.h>
 
 #include <algorithm>
@@ -25,10 +26,7 @@ brightest (const cv::Mat& image)
         values.push_back (value);
   if (values.empty())
     return 0.0;
-  const auto last = values.begin() + static_cast<std::ptrdiff_t> ((1.0 - kHighlights) *
-                                                                  (values.size() - 1));
-  std::nth_element (values.begin(), last, values.end());
-  return *last;
+  return quantile (values, 1.0 - kHighlights);
 }
 
 bool
