@@ -5,6 +5,7 @@
 #include <opencv2/core.hpp>
 
 #include <pcl_msf/build_compatibility.h>
+#include <pcl_msf/export.h>
 #include <pcl_msf/pinhole_camera.h>
 #include <pcl_msf/rigid_pose.h>
 
@@ -78,7 +79,7 @@ enum class StopReason {
 };
 
 /** \brief "converged", "iteration_limit", ... */
-const char*
+PCL_MSF_EXPORT const char*
 toString (StopReason reason);
 
 /** \brief Energy (Eq. 5 or 13), by term; weighted and normalized. */
@@ -129,7 +130,7 @@ struct Report {
  * All images have the reference's size and belong to its pixels. Unknown is NaN, never
  * zero.
  */
-struct SceneFlow {
+struct PCL_MSF_EXPORT SceneFlow {
   PinholeCamera camera; ///< of the reference
   cv::Mat labels;       ///< CV_32SC1, segment of each pixel, -1 = none
   cv::Mat points;       ///< CV_32FC3, reference points, metres; NaN = no depth
