@@ -44,6 +44,10 @@ function (pcl_msf_library target)
     SOVERSION ${PCL_MSF_SOVERSION} POSITION_INDEPENDENT_CODE ON)
   if (BUILD_SHARED_LIBS) # the components find each other wherever they are installed
     set_target_properties (${target} PROPERTIES INSTALL_RPATH "$ORIGIN")
+    if (NOT PCL_MSF_BUILD_TESTS) # which use private parts
+      set_target_properties (${target} PROPERTIES
+        CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
+    endif ()
   endif ()
   add_library (pcl_msf::${export_name} ALIAS ${target})
   set_property (GLOBAL APPEND PROPERTY PCL_MSF_LIBRARIES ${target})

@@ -11,7 +11,7 @@ folders=(include src examples tests cmake)
 exists () {
   [ -e "$1" ] || [ -e "include/pcl_msf/$1" ] || [ -e "cmake/$1" ] && return
   if [[ "$1" =~ ^[A-Z][a-z] && "$1" != *.* ]]; then # a type
-    grep -rqE --include='*.h' "^ *(class|struct|enum class|using) $1\b" "${folders[@]}"
+    grep -rqE --include='*.h' "^ *(class|struct|enum class|using) (PCL_MSF_EXPORT )?$1\b" "${folders[@]}"
   else
     [ -n "$(find "${folders[@]}" -name "${1##*/}.*" -print -quit)" ] ||
       grep -rqwF --include='*.h' --include='*.hpp' --include='*.cpp' --include='CMakeLists.txt' \

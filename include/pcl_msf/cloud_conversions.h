@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 
 #include <pcl_msf/build_compatibility.h>
+#include <pcl_msf/export.h>
 #include <pcl_msf/pinhole_camera.h>
 
 #include <string>
@@ -49,7 +50,7 @@ cv::Mat
 colorImage (const pcl::PointCloud<PointT>& cloud);
 
 /** \brief Depth of a point image. \return CV_32FC1, metres, NaN = no measurement */
-cv::Mat
+PCL_MSF_EXPORT cv::Mat
 depthImage (const cv::Mat& points);
 
 /** \brief The unit that raw intensity images share: 1, 2 (floats with gain), 255, or
@@ -59,39 +60,39 @@ depthImage (const cv::Mat& points);
  * values that are not finite or not positive don't count. \return 1 when one is of
  * another type or empty \throws InvalidInput when one image is in shares of 1, another in
  * tens or hundreds: no exposure explains that */
-double
+PCL_MSF_EXPORT double
 intensityUnit (const std::vector<cv::Mat*>& images);
 
 /** \brief Brings raw intensity images to [0, 1] by one over their common
  * intensityUnit, so that equal values stay equal: all images that are compared must go
  * in together. Highlights above the unit become 1, negative values and those that are
  * not finite 0. All are left alone when one is of another type or empty. */
-void
+PCL_MSF_EXPORT void
 normalizeIntensity (const std::vector<cv::Mat*>& images);
 
 /** \brief As above, with a unit known before: a stream keeps the one that it began
  * with. \param[in] unit > 0 */
-void
+PCL_MSF_EXPORT void
 normalizeIntensity (const std::vector<cv::Mat*>& images, double unit);
 
 /** \brief As above, for two images. */
-void
+PCL_MSF_EXPORT void
 normalizeIntensity (cv::Mat& first, cv::Mat& second);
 
 /** \brief Normals. \return CV_32FC3 (x, y, z), unit length as given; NaN stays NaN
  * \throws InvalidInput when the cloud is not organized */
-cv::Mat
+PCL_MSF_EXPORT cv::Mat
 normalImage (const pcl::PointCloud<pcl::Normal>& normals);
 
 /** \brief Segment labels. \return CV_32SC1; labels above 2^31 - 1 (PCL marks "none" by
  * the largest number) become -1 = no segment. 0 is a label like any other. \throws
  * InvalidInput when the cloud is not organized */
-cv::Mat
+PCL_MSF_EXPORT cv::Mat
 labelImage (const pcl::PointCloud<pcl::Label>& labels);
 
 /** \brief Root mean square distance between the projections (Eq. 2) of the points with
  * z > 0 and their pixels. \return pixels; NaN without such points */
-double
+PCL_MSF_EXPORT double
 projectionError (const cv::Mat& points, const PinholeCamera& camera);
 
 /** \brief Are the points an image of the camera, in its optical frame?
@@ -104,7 +105,7 @@ projectionError (const cv::Mat& points, const PinholeCamera& camera);
  * well \param[out] why when not null and the answer is no: the distance, the cause
  * where the points tell it (mirrored or exchanged axes, a rotation, an offset, another
  * camera), the remedy */
-bool
+PCL_MSF_EXPORT bool
 fitsCamera (const cv::Mat& points,
             const PinholeCamera& camera,
             std::string* why = nullptr);
@@ -121,7 +122,7 @@ fitsCamera (const cv::Mat& points,
  * what is wrong, the cause as in fitsCamera, the remedy \return false when the points
  * fix no valid camera or half of them miss their pixels by more than 1: not a pinhole
  * image, or not in the camera's frame */
-bool
+PCL_MSF_EXPORT bool
 estimateCamera (const cv::Mat& points,
                 PinholeCamera& camera,
                 std::string* why = nullptr);

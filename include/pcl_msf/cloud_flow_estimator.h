@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pcl_msf/cloud_flow.h>
+#include <pcl_msf/export.h>
 #include <pcl_msf/parameters.h>
 
 #include <vector>
@@ -21,7 +22,7 @@ namespace pcl_msf {
  * the result. The result does not depend on the number of threads. Objects keep no
  * state: one may be used from several threads.
  */
-class CloudFlowEstimator {
+class PCL_MSF_EXPORT CloudFlowEstimator {
 public:
   explicit CloudFlowEstimator (SolverParameters solver = {});
 

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/export.h>
+
 #include <stdexcept>
 #include <string>
 
@@ -12,14 +14,14 @@ namespace pcl_msf {
  * Thrown by the image-level core and the io library. The PCL class catches it, prints
  * it with PCL_ERROR and reports `hasConverged () == false`.
  */
-class InvalidInput : public std::invalid_argument {
+class PCL_MSF_EXPORT InvalidInput : public std::invalid_argument {
 public:
   using std::invalid_argument::invalid_argument;
 };
 
 /** \brief A file that cannot be read or written; what() names the file, the field and
  * the remedy. Thrown by the io library only. */
-class IoError : public std::runtime_error {
+class PCL_MSF_EXPORT IoError : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };

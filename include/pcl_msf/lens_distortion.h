@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/pinhole_camera.h>
 
 #include <string>
@@ -16,7 +17,7 @@ namespace pcl_msf {
  * x' = x (1 + k1 r^2 + k2 r^4 + k3 r^6) + 2 p1 x y + p2 (r^2 + 2 x^2), likewise y' with
  * p1 and p2 changed over. All 0 (default) = no distortion.
  */
-struct LensDistortion {
+struct PCL_MSF_EXPORT LensDistortion {
   double k1{0.0}; ///< radial, second order
   double k2{0.0}; ///< radial, fourth order
   double p1{0.0}; ///< tangential

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/oversegmentation.h>
 #include <pcl_msf/parameters.h>
@@ -19,7 +20,7 @@ namespace pcl_msf {
  *
  * Thread-safe: `estimate` is const and keeps no state.
  */
-class MultiframeEstimator {
+class PCL_MSF_EXPORT MultiframeEstimator {
 public:
   MultiframeEstimator() = default;
   MultiframeEstimator (const EnergyParameters& energy,

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/rigid_pose.h>
 #include <pcl_msf/scene_flow.h>
 
@@ -11,7 +12,7 @@
 namespace pcl_msf {
 
 /** \brief Weights and rules of the multiframe energy (Eq. 13) beside those of Eq. 5. */
-struct MultiframeParameters {
+struct PCL_MSF_EXPORT MultiframeParameters {
   double concatenation_weight{0.1}; ///< lambda, [0, 1e9]; divided by the number of
                                     ///< segments, per pair (Eq. 14)
   int max_span{0}; ///< pairs without the reference are left out when their frames are
@@ -33,7 +34,7 @@ struct PairMotion {
 };
 
 /** \brief The result for a window of frames. Frames are in the order of time. */
-struct MultiframeSceneFlow {
+struct PCL_MSF_EXPORT MultiframeSceneFlow {
   int reference{0};
 
   /** \brief Per frame of the window: where the reference's points are in it. Labels,

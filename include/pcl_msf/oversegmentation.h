@@ -6,6 +6,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/rgbd_frame.h>
 
 #include <vector>
@@ -17,7 +18,7 @@ namespace pcl_msf {
  * A label image: CV_32SC1, 0 .. segments - 1, -1 where a point belongs to no segment
  * (no depth, or left out by the caller). Labels are dense: every one has a point.
  */
-class Oversegmentation {
+class PCL_MSF_EXPORT Oversegmentation {
 public:
   Oversegmentation() = default;
 

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/export.h>
+
 #include <functional>
 #include <string>
 
@@ -15,7 +17,7 @@ enum class NormalMethod {
 };
 
 /** \brief How a frame is prepared. */
-struct FrameParameters {
+struct PCL_MSF_EXPORT FrameParameters {
   double smoothing_sigma{0.7}; ///< Gaussian on the intensity, pixels, [0, 10]; 0 = none
   double min_depth{0.0};       ///< metres; nearer points are dropped, >= 0
   double max_depth{1000.0};    ///< metres; farther points are dropped, > min_depth
@@ -35,7 +37,7 @@ enum class SegmentationMethod {
   Single        ///< one segment: a rigid scene
 };
 
-struct SegmentationParameters {
+struct PCL_MSF_EXPORT SegmentationParameters {
   SegmentationMethod method{SegmentationMethod::TangentPlane};
   double threshold{0.5}; ///< Felzenszwalb's, the paper's; the smoothing's sigma is 0.5
   int min_points{2000};  ///< Felzenszwalb: smaller segments are merged or discarded
@@ -56,7 +58,7 @@ enum class PoseDifference {
 };
 
 /** \brief Weights of Eq. 5. Every term is divided by its number of residuals. */
-struct EnergyParameters {
+struct PCL_MSF_EXPORT EnergyParameters {
   double brightness_weight{1.0};  ///< alpha, >= 0
   double icp_weight{1.0};         ///< beta, >= 0
   double regularizer_weight{0.1}; ///< gamma, >= 0; links along a surface count more
@@ -84,7 +86,7 @@ struct Progress {
   const char* stage{""}; ///< name of the stage
 };
 
-struct SolverParameters {
+struct PCL_MSF_EXPORT SolverParameters {
   int max_iterations{6};            ///< Levenberg-Marquardt steps per level, >= 0
   double function_tolerance{1e-3};  ///< stop when |dE| < tolerance E, >= 0
   double parameter_tolerance{1e-7}; ///< stop when |dx| < tolerance |x|, >= 0

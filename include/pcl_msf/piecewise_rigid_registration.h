@@ -3,6 +3,7 @@
 #pragma once
 
 #include <pcl_msf/build_compatibility.h>
+#include <pcl_msf/export.h>
 #include <pcl_msf/impl/independent_registration.h>
 #include <pcl_msf/impl/neighbor_registration.h>
 #include <pcl_msf/impl/point_selection.h>
@@ -18,7 +19,7 @@ namespace pcl_msf {
 
 namespace detail {
 /** An empty result. */
-const SceneFlow&
+PCL_MSF_EXPORT const SceneFlow&
 noSceneFlow ();
 } // namespace detail
 
@@ -330,10 +331,10 @@ public:
 
 #if !defined(PCL_NO_PRECOMPILE) && PCL_MSF_SAME_LAYOUT
 namespace pcl_msf {
-extern template class PiecewiseRigidRegistration<pcl::PointXYZ>;
-extern template class PiecewiseRigidRegistration<pcl::PointXYZI>;
-extern template class PiecewiseRigidRegistration<pcl::PointXYZRGB>;
-extern template class PiecewiseRigidRegistration<pcl::PointXYZRGBA>;
-extern template class PiecewiseRigidRegistration<pcl::PointXYZRGBNormal>;
+extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZ>;
+extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZI>;
+extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZRGB>;
+extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZRGBA>;
+extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZRGBNormal>;
 } // namespace pcl_msf
 #endif

@@ -6,6 +6,7 @@
 #include <pcl/point_types.h>
 
 #include <pcl_msf/build_compatibility.h>
+#include <pcl_msf/export.h>
 #include <pcl_msf/scene_flow_settings.h>
 #include <pcl_msf/scene_flow_tracker.h>
 
@@ -117,10 +118,10 @@ private:
 
 #if !defined(PCL_NO_PRECOMPILE) && PCL_MSF_SAME_LAYOUT
 namespace pcl_msf {
-extern template class PiecewiseRigidTracker<pcl::PointXYZ>;
-extern template class PiecewiseRigidTracker<pcl::PointXYZI>;
-extern template class PiecewiseRigidTracker<pcl::PointXYZRGB>;
-extern template class PiecewiseRigidTracker<pcl::PointXYZRGBA>;
-extern template class PiecewiseRigidTracker<pcl::PointXYZRGBNormal>;
+extern template class PCL_MSF_EXPORT PiecewiseRigidTracker<pcl::PointXYZ>;
+extern template class PCL_MSF_EXPORT PiecewiseRigidTracker<pcl::PointXYZI>;
+extern template class PCL_MSF_EXPORT PiecewiseRigidTracker<pcl::PointXYZRGB>;
+extern template class PCL_MSF_EXPORT PiecewiseRigidTracker<pcl::PointXYZRGBA>;
+extern template class PCL_MSF_EXPORT PiecewiseRigidTracker<pcl::PointXYZRGBNormal>;
 } // namespace pcl_msf
 #endif

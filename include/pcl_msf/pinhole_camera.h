@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <pcl_msf/export.h>
+
 #include <string>
 
 namespace pcl_msf {
@@ -13,7 +15,7 @@ namespace pcl_msf {
  * Camera frame: x right, y down, z forward, metres. Image frame: pixels, centres at
  * integer coordinates, so the image of width w covers [-0.5, w - 0.5].
  */
-struct PinholeCamera {
+struct PCL_MSF_EXPORT PinholeCamera {
   double fx{0.0}; ///< focal length in x, pixels, > 0
   double fy{0.0}; ///< focal length in y, pixels, > 0
   double cx{0.0}; ///< principal point x, pixels

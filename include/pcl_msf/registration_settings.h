@@ -6,6 +6,7 @@
 #include <pcl/point_types.h>
 #include <pcl/PointIndices.h>
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/scene_flow_settings.h>
 
 #include <vector>
@@ -22,7 +23,7 @@ enum class CorrespondenceMethod {
 /** \brief What a user sets on a PiecewiseRigidRegistration, whatever its point type:
  * SceneFlowSettings, and normals and segments of the source from outside. The same
  * rules hold; sizes are judged in align. */
-class RegistrationSettings : public SceneFlowSettings {
+class PCL_MSF_EXPORT RegistrationSettings : public SceneFlowSettings {
 public:
   using NormalCloudConstPtr = pcl::PointCloud<pcl::Normal>::ConstPtr;
   using LabelCloudConstPtr = pcl::PointCloud<pcl::Label>::ConstPtr;

@@ -5,6 +5,7 @@
 #include <opencv2/core.hpp>
 
 #include <pcl_msf/build_compatibility.h>
+#include <pcl_msf/export.h>
 #include <pcl_msf/parameters.h>
 #include <pcl_msf/pinhole_camera.h>
 
@@ -36,7 +37,7 @@ struct FrameLevel {
  *
  * Immutable once made; copies share the images; safe to read from many threads.
  */
-class RgbdFrame {
+class PCL_MSF_EXPORT RgbdFrame {
 public:
   RgbdFrame() = default;
 

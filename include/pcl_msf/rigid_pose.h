@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <pcl_msf/export.h>
+
 #include <array>
 
 namespace pcl_msf {
@@ -28,7 +30,7 @@ static_assert (alignof (Matrix6) == alignof (double) &&
  * Six doubles: rotation vector in radians (axis times angle), translation in metres. It
  * takes a point of frame a to frame b: p_b = R (rotation) p_a + translation.
  */
-struct RigidPose {
+struct PCL_MSF_EXPORT RigidPose {
   std::array<double, 6> parameters{}; ///< ax ay az [rad], tx ty tz [m]; zero = identity
 
   static RigidPose
@@ -88,19 +90,19 @@ private:
 static_assert (sizeof (RigidPose) == 6 * sizeof (double));
 
 /** \brief Rotation matrix of a rotation vector (Eq. 4), safe at zero. */
-Eigen::Matrix<double, 3, 3>
+PCL_MSF_EXPORT Eigen::Matrix<double, 3, 3>
 rotationFromVector (const Eigen::Vector3d& rotation_vector);
 
 /** \brief Rotation vector (angle in [0, pi]) of a rotation matrix, safe at 0 and pi. */
-Eigen::Vector3d
+PCL_MSF_EXPORT Eigen::Vector3d
 vectorFromRotation (const Eigen::Matrix<double, 3, 3>& rotation);
 
 /** \brief Left Jacobian of SO(3): d (R (a) p) / d a = -[R (a) p]_x J_l (a). */
-Eigen::Matrix<double, 3, 3>
+PCL_MSF_EXPORT Eigen::Matrix<double, 3, 3>
 leftJacobian (const Eigen::Vector3d& rotation_vector);
 
 /** \brief Cross-product matrix. */
-Eigen::Matrix<double, 3, 3>
+PCL_MSF_EXPORT Eigen::Matrix<double, 3, 3>
 skew (const Eigen::Vector3d& v);
 
 } // namespace pcl_msf

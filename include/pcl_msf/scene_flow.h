@@ -5,6 +5,7 @@
 #include <opencv2/core.hpp>
 
 #include <pcl_msf/build_compatibility.h>
+#include <pcl_msf/export.h>
 #include <pcl_msf/pinhole_camera.h>
 #include <pcl_msf/rigid_pose.h>
 
@@ -89,7 +90,7 @@ enum class StopReason {
 };
 
 /** \brief "converged", "iteration_limit", ... */
-const char*
+PCL_MSF_EXPORT const char*
 toString (StopReason reason);
 
 /** \brief Energy (Eq. 5 or 13), by term; weighted and normalized. */
@@ -156,7 +157,7 @@ struct Report {
  * be of use as a weight. Errors that a whole body shares without leaving residuals, as
  * a wrong camera, are not in it.
  */
-struct SceneFlow {
+struct PCL_MSF_EXPORT SceneFlow {
   PinholeCamera camera; ///< of the reference
   cv::Mat labels;       ///< CV_32SC1, segment of each pixel, -1 = none
   cv::Mat points;       ///< CV_32FC3, reference points, metres; NaN = no depth

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/oversegmentation.h>
 #include <pcl_msf/parameters.h>
 #include <pcl_msf/rgbd_frame.h>
@@ -15,7 +16,7 @@ namespace pcl_msf {
  *
  * Thread-safe: `estimate` is const and keeps no state.
  */
-class SceneFlowEstimator {
+class PCL_MSF_EXPORT SceneFlowEstimator {
 public:
   SceneFlowEstimator() = default;
   SceneFlowEstimator (const EnergyParameters& energy, const SolverParameters& solver)

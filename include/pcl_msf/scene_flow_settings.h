@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/parameters.h>
 #include <pcl_msf/pinhole_camera.h>
@@ -20,7 +21,7 @@ namespace pcl_msf {
  *
  * Not thread-safe: don't set while another thread uses the object.
  */
-class SceneFlowSettings {
+class PCL_MSF_EXPORT SceneFlowSettings {
 public:
   using ProgressCallback = std::function<bool (const Progress&)>;
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/oversegmentation.h>
 #include <pcl_msf/parameters.h>
@@ -13,10 +14,8 @@
 
 namespace pcl_msf {
 
-struct KnownStep;
-
 /** \brief How a SceneFlowTracker uses its window. */
-struct TrackerParameters {
+struct PCL_MSF_EXPORT TrackerParameters {
   int window{4};               ///< frames kept and solved jointly, [2, 16]
   double least_visible{0.5};   ///< share of the reference's points seen in the newest
                                ///< frame below which the window begins anew, [0, 1]
@@ -44,7 +43,7 @@ struct TrackerParameters {
  * Memory does not grow with the number of frames. Not thread-safe; different trackers
  * are independent.
  */
-class SceneFlowTracker {
+class PCL_MSF_EXPORT SceneFlowTracker {
 public:
   SceneFlowTracker() = default;
   /** \throws InvalidInput for parameters outside their ranges */
@@ -110,15 +109,7 @@ public:
   cameraPose () const;
 
 private:
-  struct Window {
-    std::deque<RgbdFrame> frames;
-    std::vector<long> indices; ///< per frame
-    std::vector<int>
-        former; ///< per frame but the new one, its place in the former window
-    Oversegmentation segments;
-    std::vector<int> origin; ///< per segment, its number in the former window or -1
-    RigidPose world_from_reference;
-  };
+  struct Window;
 
   Window
   grow () const;
@@ -128,8 +119,6 @@ private:
   beginAnew () const;
   std::vector<int>
   mergedLabels () const;
-  std::vector<KnownStep>
-  knownSteps (const Window& window) const;
   void
   solve (Window window);
   double

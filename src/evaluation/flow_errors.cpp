@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/base/order_statistics.h"
 #include "evaluation/check_images.h"
 #include <pcl_msf/evaluation/flow_errors.h>
 
@@ -101,11 +102,10 @@ median (std::vector<double> values)
 {
   if (values.empty())
     return kNan;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t> (values.size() / 2);
-  std::nth_element (values.begin(), middle, values.end());
-  if (values.size() % 2 == 1)
-    return *middle;
-  return 0.5 * (*middle + *std::max_element (values.begin(), middle));
+  const std::size_t half = values.size() / 2;
+  const double upper = nthSmallest (values, half);
+  return values.size() % 2 == 1 ? upper
+                                : 0.5 * (upper + nthSmallest (values, half - 1));
 }
 
 cv::Mat

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <opencv2/imgproc.hpp>
 
+#include "core/base/bilinear.h"
 #include "core/base/opencv_threads.h"
 #include "evaluation/check_images.h"
 #include <pcl_msf/evaluation/flow_errors.h>
@@ -93,9 +94,8 @@ depthAt (const cv::Mat& depth, float u, float v)
   if (most > kOneSurface * least)
     return nearestDepth (depth, u, v);
   const float a = u - x, b = v - y;
-  const float inverse = (1.0f - b) * ((1.0f - a) / top[0] + a / top[1]) +
-                        b * ((1.0f - a) / low[0] + a / low[1]);
-  return 1.0f / inverse;
+  return 1.0f /
+         bilinear (a, b, 1.0f / top[0], 1.0f / top[1], 1.0f / low[0], 1.0f / low[1]);
 }
 
 DepthResiduals

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "io/base/drawing.h"
+#include "io/base/label_colors.h"
 #include "io/base/motion_ranks.h"
 #include "visualization/picture_scenes.h"
 #include "visualization/point_colors.h"
@@ -19,15 +20,6 @@ constexpr double kLine = 0.45;   ///< light of the lines between labels
 constexpr int kListedGroups = 6; ///< motion groups that the legend names
 const cv::Vec3b kLargestGroup (190, 190, 190);
 
-/** Does a boundary run between this pixel and its right or lower neighbour? */
-bool
-onBoundary (const cv::Mat& labels, int row, int col)
-{
-  const int label = labels.at<int> (row, col);
-  return (col + 1 < labels.cols && labels.at<int> (row, col + 1) != label) ||
-         (row + 1 < labels.rows && labels.at<int> (row + 1, col) != label);
-}
-
 /** A colour per label with the image's light and dark in it. */
 cv::Mat
 colorsOfLabels (const cv::Mat& labels,
@@ -45,7 +37,7 @@ colorsOfLabels (const cv::Mat& labels,
       const int label = labels.at<int> (row, col);
       const double share = std::min (1.0, light.at<unsigned char> (row, col) / white);
       const double shade = (1.0 - kTexture + kTexture * share) *
-                           (onBoundary (labels, row, col) ? kLine : 1.0);
+                           (io::onBoundary (labels, row, col) ? kLine : 1.0);
       const cv::Vec3b base = label >= 0 ? color (label) : kUnknownColor;
       for (int c = 0; c < 3; ++c)
         colors.at<cv::Vec3b> (row, col)[c] =
@@ -75,7 +67,8 @@ segmentScene (const ResultClouds& result)
   scene.title = std::to_string (segments) + " segments";
   scene.points.push_back (
       {flow.points,
-       colorsOfLabels (flow.labels, result.reference_color, flow.points, labelColor)});
+       colorsOfLabels (
+           flow.labels, result.reference_color, flow.points, lightLabelColor)});
   return scene;
 }
 
@@ -90,7 +83,7 @@ motionScene (const ResultClouds& result)
   const auto color = [&ranks] (int rank) {
     if (rank == ranks.undetermined())
       return cv::Vec3b (30, 30, 30);
-    return rank == 0 ? kLargestGroup : labelColor (rank - 1);
+    return rank == 0 ? kLargestGroup : lightLabelColor (rank - 1);
   };
   Scene scene;
   scene.title = std::to_string (flow.groups) + " motion groups";

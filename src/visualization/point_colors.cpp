@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "visualization/point_colors.h"
 
-#include <pcl/common/colors.h>
-
 #include <opencv2/imgproc.hpp>
 
+#include "core/base/order_statistics.h"
 #include "io/base/drawing.h"
+#include "io/base/label_colors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,11 +79,9 @@ ownColors (const cv::Mat& image, const cv::Mat& points)
 }
 
 cv::Vec3b
-labelColor (int label)
+lightLabelColor (int label)
 {
-  const auto count = static_cast<int> (pcl::GlasbeyLUT::size());
-  const pcl::RGB& color = pcl::GlasbeyLUT::at (label % count);
-  const cv::Vec3f bgr (color.b, color.g, color.r);
+  const cv::Vec3f bgr = io::labelColor (label);
   const float light = 0.114F * bgr[0] + 0.587F * bgr[1] + 0.299F * bgr[2];
   const float white = std::max (0.0F, (kDarkLabel - light) / (255.0F - light));
   return (1.0F - white) * bgr + white * cv::Vec3f::all (255.0F);
@@ -166,10 +164,8 @@ percentile (const cv::Mat& values, double share)
         known.push_back (values.at<float> (row, col));
   if (known.empty())
     return 0.0;
-  const auto nth =
-      known.begin() + std::lround (share * static_cast<double> (known.size() - 1));
-  std::nth_element (known.begin(), nth, known.end());
-  return *nth;
+  return nthSmallest (known,
+                      std::lround (share * static_cast<double> (known.size() - 1)));
 }
 
 cv::Mat

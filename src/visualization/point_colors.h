@@ -27,7 +27,7 @@ tintedColors (const cv::Mat& image, const cv::Mat& points, const cv::Vec3b& tint
 
 /** \brief A colour for a label, light enough to be told from its neighbours. */
 cv::Vec3b
-labelColor (int label);
+lightLabelColor (int label);
 
 /** \brief Values as colours of a map; NaN is grey. \param values CV_32FC1 */
 cv::Mat

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "visualization/point_size.h"
 
+#include "core/base/order_statistics.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -32,9 +34,7 @@ pointSpacing (const PointSet& set, const View& view)
     }
   if (spacing.empty())
     return 1.0;
-  const auto nth = spacing.begin() + 3 * (static_cast<long> (spacing.size()) - 1) / 4;
-  std::nth_element (spacing.begin(), nth, spacing.end());
-  return *nth;
+  return nthSmallest (spacing, 3 * (spacing.size() - 1) / 4);
 }
 
 } // namespace

@@ -4,6 +4,8 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/export.h>
+
 #include <vector>
 
 namespace pcl_msf::evaluation {
@@ -21,11 +23,11 @@ enum class ScoredPoints {
  * as visible, none as occluded
  * \return CV_8UC1, 255 = scored, 0 otherwise
  * \throws InvalidInput for other types or sizes that differ */
-cv::Mat
+PCL_MSF_EXPORT cv::Mat
 scoredPoints (const cv::Mat& depth, const cv::Mat& visible, ScoredPoints set);
 
 /** \brief Errors of an optical flow over a set of points; all NaN when it is empty. */
-struct FlowErrors {
+struct PCL_MSF_EXPORT FlowErrors {
   long points{0};  ///< scored: in the mask, with known truth
   double coverage; ///< share of them with a known estimate, [0, 1]
   double epe;      ///< mean end-point error, pixels
@@ -47,13 +49,13 @@ struct FlowErrors {
  * \param flow, truth CV_32FC2, pixels (u, v); not finite = unknown
  * \param mask CV_8UC1, 255 = scored
  * \throws InvalidInput for other types or sizes that differ */
-FlowErrors
+PCL_MSF_EXPORT FlowErrors
 flowErrors (const cv::Mat& flow, const cv::Mat& truth, const cv::Mat& mask);
 
 /** \brief End-point error of every pixel, as flowErrors() counts it.
  * \return CV_32FC1, pixels; NaN where the truth is unknown
  * \throws InvalidInput for other types or sizes that differ */
-cv::Mat
+PCL_MSF_EXPORT cv::Mat
 endPointErrors (const cv::Mat& flow, const cv::Mat& truth);
 
 /** \brief How well a deviation sorts errors: the area between two sparsification
@@ -66,13 +68,13 @@ endPointErrors (const cv::Mat& flow, const cv::Mat& truth);
  * \param mask CV_8UC1, 255 = scored
  * \return 0 = in the errors' own order; NaN without points or errors
  * \throws InvalidInput for other types or sizes that differ */
-double
+PCL_MSF_EXPORT double
 sparsificationError (const cv::Mat& errors,
                      const cv::Mat& deviation,
                      const cv::Mat& mask);
 
 /** \brief Errors of displacements over a set of points; all NaN when it is empty. */
-struct SceneFlowErrors {
+struct PCL_MSF_EXPORT SceneFlowErrors {
   long points{0};   ///< scored: in the mask, with known truth
   double coverage;  ///< share of them with a known estimate, [0, 1]
   double epe;       ///< mean length of the difference, metres
@@ -88,18 +90,18 @@ struct SceneFlowErrors {
  * \param displacement, truth CV_32FC3, metres (x, y, z); not finite = unknown
  * \param mask CV_8UC1, 255 = scored
  * \throws InvalidInput for other types or sizes that differ */
-SceneFlowErrors
+PCL_MSF_EXPORT SceneFlowErrors
 sceneFlowErrors (const cv::Mat& displacement,
                  const cv::Mat& truth,
                  const cv::Mat& mask);
 
 /** \brief Mean of a list; NaN when it is empty. */
-double
+PCL_MSF_EXPORT double
 mean (const std::vector<double>& values);
 
 /** \brief Median of a list, for an even number the mean of the middle two; NaN when it
  * is empty. */
-double
+PCL_MSF_EXPORT double
 median (std::vector<double> values);
 
 } // namespace pcl_msf::evaluation

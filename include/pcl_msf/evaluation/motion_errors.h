@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/io/rgbd_sequence.h>
 #include <pcl_msf/rigid_pose.h>
 #include <pcl_msf/scene_flow.h>
@@ -22,13 +23,13 @@ struct PoseError {
  * \param at the point (frame a, metres) whose images are compared: the origin for a
  * camera's motion; a segment's centroid for a segment, since far from the camera a
  * rotation error moves the origin, not the segment */
-PoseError
+PCL_MSF_EXPORT PoseError
 poseError (const RigidPose& estimate,
            const RigidPose& truth,
            const Eigen::Vector3d& at = Eigen::Vector3d::Zero());
 
 /** \brief Pose errors of segments. Means weighted by points; all NaN for no segment. */
-struct SegmentErrors {
+struct PCL_MSF_EXPORT SegmentErrors {
   int segments{0}; ///< scored: most of their labelled points are of a rigid body
   double rotation_deg;
   double translation_mm; ///< at the segments' centroids
@@ -50,7 +51,7 @@ struct SegmentErrors {
  * count as not moving.
  * \param labels CV_32SC1, true bodies of the reference, -1 = none
  * \throws InvalidInput for sizes that differ */
-SegmentErrors
+PCL_MSF_EXPORT SegmentErrors
 segmentErrors (const SceneFlow& estimate,
                const cv::Mat& labels,
                const std::vector<std::optional<RigidPose>>& bodies);
@@ -62,18 +63,18 @@ segmentErrors (const SceneFlow& estimate,
  * \param first, second CV_32SC1; pixels that are negative in either are left out
  * \return NaN when fewer than two pixels are left
  * \throws InvalidInput for other types or sizes that differ */
-double
+PCL_MSF_EXPORT double
 adjustedRandIndex (const cv::Mat& first, const cv::Mat& second);
 
 /** \brief Share of the pixels that belong to their group's most frequent label: below 1
  * where a group holds points of several bodies, however much bodies are split.
  * \param groups, labels CV_32SC1; pixels that are negative in either are left out
  * \return NaN when none is left \throws InvalidInput as above */
-double
+PCL_MSF_EXPORT double
 groupPurity (const cv::Mat& groups, const cv::Mat& labels);
 
 /** \brief Motion group of each pixel. \return CV_32SC1, -1 where there is no segment */
-cv::Mat
+PCL_MSF_EXPORT cv::Mat
 motionGroups (const SceneFlow& estimate);
 
 /** \brief Rigid motions that fit the true scene flow of each label best in the least
@@ -84,7 +85,7 @@ motionGroups (const SceneFlow& estimate);
  * \return n poses, current_from_reference; of fewer than three known points the mean
  * translation, of none rest
  * \throws InvalidInput for other types or sizes that differ */
-std::vector<RigidPose>
+PCL_MSF_EXPORT std::vector<RigidPose>
 fitSegments (const cv::Mat& labels,
              const cv::Mat& points,
              const cv::Mat& scene_flow,

@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/pinhole_camera.h>
 
 namespace pcl_msf::evaluation {
@@ -21,7 +22,7 @@ struct PhotometricResiduals {
  * \param flow CV_32FC2, pixels \param reference, current CV_8UC1 or CV_8UC3 (BGR)
  * \param mask CV_8UC1, 255 = scored
  * \throws InvalidInput for other types or sizes that differ */
-PhotometricResiduals
+PCL_MSF_EXPORT PhotometricResiduals
 photometricResiduals (const cv::Mat& flow,
                       const cv::Mat& reference,
                       const cv::Mat& current,
@@ -47,7 +48,7 @@ struct DepthResiduals {
  * RgbdFrame::inverseDepthNoise
  * \param mask CV_8UC1, 255 = scored
  * \throws InvalidInput for other types or sizes that differ */
-DepthResiduals
+PCL_MSF_EXPORT DepthResiduals
 depthResiduals (const cv::Mat& points,
                 const cv::Mat& displacement,
                 const cv::Mat& current_depth,
@@ -57,7 +58,7 @@ depthResiduals (const cv::Mat& points,
 
 /** \brief Depth of an image between its pixels, metres; 0 where there is none.
  * \param depth CV_32FC1 \param u, v pixels; not finite or outside gives 0 */
-float
+PCL_MSF_EXPORT float
 depthAt (const cv::Mat& depth, float u, float v);
 
 } // namespace pcl_msf::evaluation

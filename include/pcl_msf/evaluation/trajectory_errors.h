@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/rigid_pose.h>
 
 #include <vector>
@@ -12,14 +13,14 @@ namespace pcl_msf::evaluation {
  * origin.
  * \param motions element k: k+1_from_k, moves a static point of camera frame k to frame
  * k + 1 \return one pose more than motions, world_from_camera */
-std::vector<RigidPose>
+PCL_MSF_EXPORT std::vector<RigidPose>
 chainMotions (const std::vector<RigidPose>& motions);
 
 /** \brief Absolute trajectory error: root mean square distance of positions after the
  * rigid alignment that makes it smallest (Sturm et al., IROS 2012), metres.
  * \param estimate, truth world_from_camera at the same times; their worlds may differ
  * \return NaN for less than two poses \throws InvalidInput when the numbers differ */
-double
+PCL_MSF_EXPORT double
 absoluteTrajectoryError (const std::vector<RigidPose>& estimate,
                          const std::vector<RigidPose>& truth);
 
@@ -34,7 +35,7 @@ struct RelativePoseError {
  * \param delta frames, >= 1
  * \return NaN for fewer than delta + 1 poses
  * \throws InvalidInput when the numbers differ or for delta < 1 */
-RelativePoseError
+PCL_MSF_EXPORT RelativePoseError
 relativePoseError (const std::vector<RigidPose>& estimate,
                    const std::vector<RigidPose>& truth,
                    int delta = 1);

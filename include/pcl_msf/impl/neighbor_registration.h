@@ -9,6 +9,7 @@
 #include <opencv2/core.hpp>
 
 #include <pcl_msf/cloud_flow.h>
+#include <pcl_msf/export.h>
 #include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/parameters.h>
 
@@ -49,7 +50,7 @@ struct NeighborRegistration {
 
 /** \param source, target CV_32FC3, NaN = no point
  * \param points of the source that take part \throws InvalidInput naming the remedy */
-NeighborRegistration
+PCL_MSF_EXPORT NeighborRegistration
 registerByNeighbors (const cv::Mat& source,
                      const cv::Mat& target,
                      const pcl::Indices& points,

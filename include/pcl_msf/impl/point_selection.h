@@ -4,6 +4,8 @@
 
 #include <pcl/types.h>
 
+#include <pcl_msf/export.h>
+
 #include <array>
 #include <cstddef>
 #include <string>
@@ -14,7 +16,7 @@ namespace detail {
 /** Which points of a cloud to work on: all, a list of them, or a rectangle. Whether
  * they fit is judged when they are used, because a cloud's object can be filled anew in
  * between. */
-class PointSelection {
+class PCL_MSF_EXPORT PointSelection {
 public:
   /** All points. */
   PointSelection() = default;

@@ -8,6 +8,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/oversegmentation.h>
 #include <pcl_msf/rgbd_frame.h>
@@ -31,7 +32,7 @@ struct CloudImages {
 };
 
 /** A target's name in messages: by its number, from 1, when there are several. */
-std::string
+PCL_MSF_EXPORT std::string
 targetName (std::size_t target, std::size_t targets);
 
 /** Frames of clouds, in the order of time (section 3.3). A camera with fx = 0 is
@@ -39,7 +40,7 @@ targetName (std::size_t target, std::size_t targets);
  * camera. \param intensity_unit of a stream: the least one to use in, the one used out;
  * null for clouds that are all of it \throws InvalidInput naming the remedy in terms of
  * PiecewiseRigidRegistration */
-std::vector<RgbdFrame>
+PCL_MSF_EXPORT std::vector<RgbdFrame>
 makeFrames (std::vector<CloudImages> clouds,
             int reference,
             const PinholeCamera& camera,
@@ -48,7 +49,7 @@ makeFrames (std::vector<CloudImages> clouds,
             double* intensity_unit = nullptr);
 
 /** The segments that hold at least one of the points, each with all of its points. */
-Oversegmentation
+PCL_MSF_EXPORT Oversegmentation
 segmentsHolding (const pcl::Indices& points,
                  const Oversegmentation& segments,
                  const RgbdFrame& frame);
@@ -57,34 +58,34 @@ segmentsHolding (const pcl::Indices& points,
 using UnalignedMatrix4 = Eigen::Matrix<float, 4, 4, Eigen::DontAlign>;
 
 /** The guess as a pose. \throws InvalidInput when it is not a rigid transformation */
-RigidPose
+PCL_MSF_EXPORT RigidPose
 startPose (const UnalignedMatrix4& guess);
 
 /** Why a result cannot be used; empty when it can. */
-std::string
+PCL_MSF_EXPORT std::string
 whyUnusable (const SceneFlow& flow);
 
 /** The pixel that a point projects to, row * width + column; -1 outside the image. */
-int
+PCL_MSF_EXPORT int
 pixelOf (const Eigen::Vector3f& point, const PinholeCamera& camera, cv::Size size);
 
 /** A result that says only why there is none. */
-MultiframeSceneFlow
+PCL_MSF_EXPORT MultiframeSceneFlow
 failedFlow (StopReason reason, const std::string& message);
 
 /** Index of the last frame of a window that is a target. */
-int
+PCL_MSF_EXPORT int
 lastTarget (int frames, int reference);
 
 /** The pose between two frames, as in poseBetween, into `pose`.
  * \return why there is none; empty when there is one */
-std::string
+PCL_MSF_EXPORT std::string
 findPose (
     const MultiframeSceneFlow& result, int from, int to, int segment, RigidPose& pose);
 
 /** Passes progress on; an exception of the callback cancels and is kept for rethrow,
  * because it must not fly through the solver. */
-class GuardedProgress {
+class PCL_MSF_EXPORT GuardedProgress {
 public:
   explicit GuardedProgress (std::function<bool (const Progress&)> callback)
   : callback_ (std::move (callback))

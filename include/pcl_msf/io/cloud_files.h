@@ -8,6 +8,7 @@
 #include <opencv2/core.hpp>
 
 #include <pcl_msf/build_compatibility.h>
+#include <pcl_msf/export.h>
 #include <pcl_msf/io/rgbd_images.h>
 
 #include <optional>
@@ -24,7 +25,7 @@ struct CloudPixels {
   Viewpoint viewpoint{};
 };
 
-CloudPixels
+PCL_MSF_EXPORT CloudPixels
 readCloudPixels (const std::string& path);
 } // namespace detail
 
@@ -68,7 +69,7 @@ readOrganizedCloud (const std::string& path)
  * (estimateCamera) \param units_per_metre of x y z, > 0, e.g. 1000 for millimetres
  * \throws IoError, also when the points tell no camera or are not an image of the given
  * one (fitsCamera) */
-RgbdImages
+PCL_MSF_EXPORT RgbdImages
 readCloudImages (const std::string& path,
                  const std::optional<PinholeCamera>& camera = {},
                  double units_per_metre = 1.0);

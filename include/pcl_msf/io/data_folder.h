@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/io/rgbd_images.h>
 #include <pcl_msf/io/text_files.h>
 
@@ -20,7 +21,7 @@ namespace pcl_msf::io {
  * `gt/labels_K.png`, `gt/pose_K.txt`. Nothing but camera.txt is read before it is asked
  * for. Every reader throws IoError for a file that is there and damaged.
  */
-class DataFolder {
+class PCL_MSF_EXPORT DataFolder {
 public:
   DataFolder() = default;
 

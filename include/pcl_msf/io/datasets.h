@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/io/rgbd_sequence.h>
 #include <pcl_msf/pinhole_camera.h>
 
@@ -20,14 +21,14 @@ enum class RenderPass {
 };
 
 /** \brief "clean", "final" */
-const char*
+PCL_MSF_EXPORT const char*
 toString (RenderPass pass);
 
 /** \brief Which camera of a stereo rig. */
 enum class StereoView { Left, Right };
 
 /** \brief "left", "right" */
-const char*
+PCL_MSF_EXPORT const char*
 toString (StereoView view);
 
 /** \brief What a data set does not say of itself, or what is to be taken instead. */
@@ -113,12 +114,12 @@ enum class DatasetKind {
 
 /** \brief Names of all kinds but Automatic, as command lines have them; Folder has two.
  */
-const std::vector<std::pair<std::string, DatasetKind>>&
+PCL_MSF_EXPORT const std::vector<std::pair<std::string, DatasetKind>>&
 datasetKinds ();
 
 /** \brief The kind of a name of `datasetKinds` or "auto". \throws InvalidInput listing
  * all names for another one */
-DatasetKind
+PCL_MSF_EXPORT DatasetKind
 datasetKindFromName (const std::string& name);
 
 /** \brief Opens all sequences below a path, sorted by name (numbers by value).
@@ -131,7 +132,7 @@ datasetKindFromName (const std::string& name);
  *
  * Thread-safe, and so are the sequences; these throw InvalidInput for frames that there
  * are not. */
-std::vector<std::shared_ptr<const RgbdSequence>>
+PCL_MSF_EXPORT std::vector<std::shared_ptr<const RgbdSequence>>
 openDataset (DatasetKind kind,
              const std::string& path,
              const DatasetOptions& options = {});

@@ -4,6 +4,8 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/export.h>
+
 namespace pcl_msf::io {
 
 /** \brief Colours an optical flow as the Middlebury benchmark does (Baker et al., "A
@@ -15,16 +17,16 @@ namespace pcl_msf::io {
  * \param maximum pixels that are fully saturated; <= 0 takes the length that 99 % of
  * the known flow stays within, so that a few outliers do not bleach the rest
  * \return CV_8UC3, BGR */
-cv::Mat
+PCL_MSF_EXPORT cv::Mat
 flowColors (const cv::Mat& flow, double maximum = 0.0);
 
 /** \brief The length that the given share of the known flow stays within, pixels; 0
  * when nothing is known. \param share 0 .. 1; 1 = the longest vector */
-double
+PCL_MSF_EXPORT double
 flowLength (const cv::Mat& flow, double share);
 
 /** \brief The wheel itself as a legend, `size` x `size` pixels, white outside. */
-cv::Mat
+PCL_MSF_EXPORT cv::Mat
 flowWheel (int size);
 
 } // namespace pcl_msf::io

@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/io/rgbd_images.h>
 
 #include <string>
@@ -15,13 +16,13 @@ namespace pcl_msf::io {
  * Alpha is dropped, 16 bit become 8; a camera's orientation tag is ignored, because the
  * depth image is registered to the pixels as they are stored.
  * \return CV_8UC1 or CV_8UC3 (BGR) \throws IoError */
-cv::Mat
+PCL_MSF_EXPORT cv::Mat
 readColor (const std::string& path);
 
 /** \brief Reads a frame's colour into `color`, as above, and 16-bit grey (infrared and
  * ToF cameras, which fill any part of the range) into `raw_color`, too. \throws IoError
  */
-void
+PCL_MSF_EXPORT void
 readColor (const std::string& path, RgbdImages& images);
 
 /** \brief Reads a depth image.
@@ -33,33 +34,33 @@ readColor (const std::string& path, RgbdImages& images);
  * \return CV_32FC1, metres; 0, NaN, inf or negative = no measurement, as in the file. A
  * saturated integer, 65535, is none either and becomes 0
  * \throws IoError */
-cv::Mat
+PCL_MSF_EXPORT cv::Mat
 readDepth (const std::string& path, double depth_scale, double float_scale = 1.0);
 
 /** \brief Writes a 16-bit depth PNG. \param depth CV_32FC1, metres; what is no
  * measurement or does not fit into 16 bit, less than 65535, is written as 0 \throws
  * IoError */
-void
+PCL_MSF_EXPORT void
 writeDepth (const std::string& path, const cv::Mat& depth, double depth_scale);
 
 /** \brief Reads a label image, 8 or 16 bit, one channel.
  * \return CV_32SC1; 65535 in a 16-bit image comes back as -1 = no segment
  * \throws IoError */
-cv::Mat
+PCL_MSF_EXPORT cv::Mat
 readLabels (const std::string& path);
 
 /** \brief Writes a 16-bit label PNG. \param labels CV_32SC1, 0 .. 65534 as they are,
  * negative (no segment) as 65535 \throws IoError, also for larger labels */
-void
+PCL_MSF_EXPORT void
 writeLabels (const std::string& path, const cv::Mat& labels);
 
 /** \brief Reads a mask. \return CV_8UC1, 255 where the file is not 0 \throws IoError */
-cv::Mat
+PCL_MSF_EXPORT cv::Mat
 readMask (const std::string& path);
 
 /** \brief Writes a picture in the format of the path's extension.
  * \param image CV_8UC1, CV_8UC3 (BGR) or CV_16UC1 \throws IoError */
-void
+PCL_MSF_EXPORT void
 writeImage (const std::string& path, const cv::Mat& image);
 
 } // namespace pcl_msf::io

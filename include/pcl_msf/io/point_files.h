@@ -6,6 +6,7 @@
 
 #include <pcl_msf/build_compatibility.h>
 #include <pcl_msf/cloud_flow.h>
+#include <pcl_msf/export.h>
 
 #include <cstdint>
 #include <string>
@@ -22,29 +23,29 @@ struct PointFile {
 /** \brief Reads the points of a .pcd, .ply (ascii or binary) or .obj file; of the last
  * two the vertices. Fields other than x y z and, in .pcd and .ply, colours are ignored.
  * \throws IoError */
-PointFile
+PCL_MSF_EXPORT PointFile
 readPoints (const std::string& path);
 
 /** \brief Writes a binary .ply of points, x y z as float32. \throws IoError */
-void
+PCL_MSF_EXPORT void
 writePointsPly (const std::string& path, const std::vector<Eigen::Vector3f>& points);
 
 /** \brief Writes a result as a binary .pcd: the moved points `x y z`, their `rgb`, the
  * motion `dx dy dz`, `part` (-1 = none) and `confidence`; NaN where unknown.
  * \param source as given to the estimator \throws IoError */
-void
+PCL_MSF_EXPORT void
 writeRegisteredCloud (const std::string& path,
                       const CloudFlow& flow,
                       const PointFile& source);
 
 /** \brief Writes joints as JSON: parent, child, axis, angle_deg, point, shift and
  * deviations. \throws IoError */
-void
+PCL_MSF_EXPORT void
 writeJoints (const std::string& path, const CloudFlow& flow);
 
 /** \brief Writes the report of a cloud's registration as JSON, with the fields of
  * writeReport as far as they mean something here. \throws IoError */
-void
+PCL_MSF_EXPORT void
 writeCloudReport (const std::string& path,
                   const CloudFlow& flow,
                   double load_seconds,

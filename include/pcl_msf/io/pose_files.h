@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/rigid_pose.h>
 
@@ -16,7 +17,7 @@ namespace pcl_msf::io {
  * six-element poses (angle-axis, radians; translation, metres; `to_from_from`).
  * \param frames places of the window's frames in their recording; 0, 1, ... if empty
  * \throws IoError */
-void
+PCL_MSF_EXPORT void
 writePoses (const std::string& path,
             const MultiframeSceneFlow& result,
             const std::vector<int>& frames = {});
@@ -29,7 +30,7 @@ struct TimedPose {
 
 /** \brief Writes a trajectory as the TUM RGB-D benchmark does: a line `timestamp tx ty
  * tz qx qy qz qw` per pose, seconds and metres. \throws IoError */
-void
+PCL_MSF_EXPORT void
 writeTrajectory (const std::string& path, const std::vector<TimedPose>& poses);
 
 } // namespace pcl_msf::io

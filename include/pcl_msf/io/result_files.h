@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/io/rgbd_images.h>
 #include <pcl_msf/scene_flow.h>
 
@@ -16,7 +17,7 @@ namespace pcl_msf::io {
  * pcl_msf::PointXYZRGBFlow; NaN where there is no depth.
  * \param color of the reference, CV_8UC1, CV_8UC3 (BGR) or empty = white
  * \param viewpoint of the reference \throws IoError */
-void
+PCL_MSF_EXPORT void
 writeSceneFlowCloud (const std::string& path,
                      const SceneFlow& scene_flow,
                      const cv::Mat& color,
@@ -25,7 +26,7 @@ writeSceneFlowCloud (const std::string& path,
 /** \brief Writes the warped reference as a binary, organized .pcd with x y z rgb: the
  * reference's colours at the warped positions (current frame, metres), NaN where they
  * are unknown. \param viewpoint of the reference \throws IoError */
-void
+PCL_MSF_EXPORT void
 writeWarpedCloud (const std::string& path,
                   const SceneFlow& scene_flow,
                   const cv::Mat& color,
@@ -44,16 +45,16 @@ struct StoredSceneFlow {
  * segments are counted; points that are not seen in both frames are
  * Visibility::Unknown, because the file does not say why. Deviations are empty when the
  * file has none, as those of earlier versions. \throws IoError */
-StoredSceneFlow
+PCL_MSF_EXPORT StoredSceneFlow
 readSceneFlowCloud (const std::string& path);
 
 /** \brief Motion group of every pixel. \return CV_32SC1, -1 = none */
-cv::Mat
+PCL_MSF_EXPORT cv::Mat
 groupImage (const SceneFlow& scene_flow);
 
 /** \brief Gives the segments the motion groups of an image that groupImage made: each
  * the group of its first pixel. \throws InvalidInput when the sizes differ */
-void
+PCL_MSF_EXPORT void
 setGroups (const cv::Mat& groups, SceneFlow& scene_flow);
 
 [[deprecated ("use groupImage")]] inline cv::Mat
@@ -70,7 +71,7 @@ setBodies (const cv::Mat& groups, SceneFlow& scene_flow)
 
 /** \brief Visibility as the mask that is written. \param visibility CV_8UC1, see
  * Visibility \return CV_8UC1, 255 = seen in both frames, 0 otherwise */
-cv::Mat
+PCL_MSF_EXPORT cv::Mat
 visibilityMask (const cv::Mat& visibility);
 
 /** \brief Times of a run that the result's Report does not know, seconds. */
@@ -85,14 +86,14 @@ struct RunSeconds {
 /** \brief A result's report as JSON text; numbers that are not finite become null.
  * \param frames number of frames of the run \param removed distortion that the frames
  * were freed from before: "camera" is the pinhole without it */
-std::string
+PCL_MSF_EXPORT std::string
 reportJson (const SceneFlow& scene_flow,
             const RunSeconds& seconds,
             int frames = 2,
             const LensDistortion& removed = {});
 
 /** \brief Writes `reportJson` to a file. \throws IoError */
-void
+PCL_MSF_EXPORT void
 writeReport (const std::string& path,
              const SceneFlow& scene_flow,
              const RunSeconds& seconds,

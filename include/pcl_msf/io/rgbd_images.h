@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/lens_distortion.h>
 #include <pcl_msf/pinhole_camera.h>
 
@@ -43,17 +44,17 @@ struct RgbdImages {
 
 /** \brief The unit of the frames' raw colours: what stands for full brightness when all
  * of them are brought to one range by pcl_msf::normalizeIntensity. 1 without any. */
-double
+PCL_MSF_EXPORT double
 colorUnit (const std::vector<const RgbdImages*>& frames);
 
 /** \brief Makes `color` anew from `raw_color`: 255 for `unit` and more, CV_8UC3.
  * Nothing happens to a frame without raw colours. \param unit > 0 */
-void
+PCL_MSF_EXPORT void
 setColorUnit (RgbdImages& frame, double unit);
 
 /** \brief Brings frames that are compared to one unit. A reader sees one frame alone
  * and takes that frame's; where maxima differ, brightness would differ with them. */
-void
+PCL_MSF_EXPORT void
 unifyColors (const std::vector<RgbdImages*>& frames);
 
 } // namespace pcl_msf::io

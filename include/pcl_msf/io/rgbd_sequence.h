@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/io/rgbd_images.h>
 #include <pcl_msf/rigid_pose.h>
 
@@ -30,7 +31,7 @@ struct MotionTruth {
  * Nothing is read before it is asked for; const and thread-safe. Every reader throws
  * IoError ("file: field: problem") for a file that is missing or damaged.
  */
-class RgbdSequence {
+class PCL_MSF_EXPORT RgbdSequence {
 public:
   virtual ~RgbdSequence() = default;
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/io/rgbd_images.h>
 #include <pcl_msf/lens_distortion.h>
 
@@ -17,7 +18,7 @@ namespace pcl_msf::io {
  * distortion.
  * \throws InvalidInput when camera or lens are none for the images, or when the frame
  * was freed from a distortion before */
-void
+PCL_MSF_EXPORT void
 undistort (RgbdImages& frame, const LensDistortion& lens);
 
 } // namespace pcl_msf::io

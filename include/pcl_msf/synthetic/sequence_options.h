@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/lens_distortion.h>
 #include <pcl_msf/pinhole_camera.h>
 
@@ -70,29 +71,29 @@ enum class Sensor {
 };
 
 /** \brief "static_room", "multi_body", ... */
-const char*
+PCL_MSF_EXPORT const char*
 toString (SceneKind scene);
 
 /** \brief All scenes, in the order of the enumeration. */
-const std::vector<SceneKind>&
+PCL_MSF_EXPORT const std::vector<SceneKind>&
 allScenes ();
 
 /** \brief The scene of a name as toString writes it. \throws InvalidInput listing all
  * names for another one */
-SceneKind
+PCL_MSF_EXPORT SceneKind
 sceneFromName (const std::string& name);
 
 /** \brief "none", "kinect", "white", "realsense", "tof", "stereo" */
-const char*
+PCL_MSF_EXPORT const char*
 toString (Sensor sensor);
 
 /** \brief All sensors; Ideal first. */
-const std::vector<Sensor>&
+PCL_MSF_EXPORT const std::vector<Sensor>&
 allSensors ();
 
 /** \brief The sensor of a name as toString writes it. \throws InvalidInput listing all
  * names for another one */
-Sensor
+PCL_MSF_EXPORT Sensor
 sensorFromName (const std::string& name);
 
 /** \brief What a camera does to its images, with any sensor. Truth stays that of the
@@ -126,7 +127,7 @@ struct CameraEffects {
 
 /** \brief What to generate. The same options give the same sequence, bit for bit, for
  * any number of threads. */
-struct SequenceOptions {
+struct PCL_MSF_EXPORT SequenceOptions {
   SceneKind scene{SceneKind::MultiBody};
   MotionSize motion{MotionSize::Easy};
   Sensor sensor{Sensor::Ideal};

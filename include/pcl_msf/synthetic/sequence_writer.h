@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/synthetic/synthetic_sequence.h>
 
 #include <string>
@@ -47,7 +48,7 @@ struct SequenceWriterOptions {
  * of the same names are replaced. Depth beyond 65535 / depth_scale becomes "none" in 16
  * bit. \throws IoError naming the file that cannot be written \throws InvalidInput for
  * a sequence without frames or a depth_scale that is not > 0 */
-void
+PCL_MSF_EXPORT void
 writeSequence (const SyntheticSequence& sequence,
                const std::string& folder,
                const SequenceWriterOptions& options = {});

@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/rigid_pose.h>
 #include <pcl_msf/synthetic/sequence_options.h>
 
@@ -57,7 +58,7 @@ struct SyntheticSequence {
  * Depth and truth are exact to 1e-6 m before rounding to float; colour is the average
  * of supersampling^2 rays a pixel. Surface colours and shading are fixed to the
  * surface. Thread-safe. \throws InvalidInput for options that are not valid */
-SyntheticSequence
+PCL_MSF_EXPORT SyntheticSequence
 synthesize (const SequenceOptions& options);
 
 } // namespace pcl_msf::synthetic

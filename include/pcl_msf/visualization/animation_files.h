@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/export.h>
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -15,7 +17,7 @@ namespace pcl_msf::visualization {
  * column. \param pictures PNG files of one size, in order \param rate pictures per
  * second, > 0 \param cancelled asked before every picture; true gives up \throws
  * IoError when OpenCV has no encoder, it fails, or it is cancelled */
-void
+PCL_MSF_EXPORT void
 writeMp4 (const std::string& path,
           const std::vector<std::string>& pictures,
           double rate,

@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/visualization/scene.h>
 #include <pcl_msf/visualization/view.h>
 
@@ -16,7 +17,7 @@ namespace pcl_msf::visualization {
  * One VTK window serves all pictures of one object. Not thread-safe: one object in one
  * thread.
  */
-class OffscreenRenderer {
+class PCL_MSF_EXPORT OffscreenRenderer {
 public:
   /** \throws DisplayError when this machine cannot draw */
   OffscreenRenderer();

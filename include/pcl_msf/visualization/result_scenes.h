@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/scene_flow.h>
 #include <pcl_msf/visualization/scene.h>
 
@@ -39,11 +40,11 @@ enum class PictureKind {
 };
 
 /** \brief Kinds and their names for file names and options, e.g. "after_tints". */
-const std::vector<std::pair<std::string, PictureKind>>&
+PCL_MSF_EXPORT const std::vector<std::pair<std::string, PictureKind>>&
 pictureKinds ();
 
 /** \brief "after_tints", ... */
-std::string
+PCL_MSF_EXPORT std::string
 toString (PictureKind kind);
 
 struct SceneOptions {
@@ -57,7 +58,7 @@ struct SceneOptions {
 /** \brief Builds the scene of a kind.
  * \throws InvalidInput when the result lacks what the kind shows, with the remedy (e.g.
  * no current cloud), or sizes differ. Not for Trajectories, see trajectoryScene. */
-Scene
+PCL_MSF_EXPORT Scene
 resultScene (PictureKind kind,
              const ResultClouds& result,
              const SceneOptions& options = {});
@@ -65,7 +66,7 @@ resultScene (PictureKind kind,
 /** \brief Paths of the reference's points through a window.
  * \param displacements CV_32FC3 of frame 1, 2, ... from the reference, metres, NaN =
  * unknown: a path ends there \throws InvalidInput as resultScene */
-Scene
+PCL_MSF_EXPORT Scene
 trajectoryScene (const ResultClouds& result,
                  const std::vector<cv::Mat>& displacements,
                  const SceneOptions& options = {});
@@ -74,13 +75,13 @@ trajectoryScene (const ResultClouds& result,
  * is one. \param displacements as for trajectoryScene, at least one \param t 0 = the
  * reference, k = frame k; between frames every point moves on a straight line
  * \throws InvalidInput as resultScene */
-Scene
+PCL_MSF_EXPORT Scene
 warpScene (const ResultClouds& result,
            const std::vector<cv::Mat>& displacements,
            double t);
 
 /** \brief A cloud's points displaced by a share. \return CV_32FC3, NaN = unknown */
-cv::Mat
+PCL_MSF_EXPORT cv::Mat
 displacedPoints (const cv::Mat& points, const cv::Mat& displacement, double share);
 
 } // namespace pcl_msf::visualization

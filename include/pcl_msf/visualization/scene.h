@@ -4,6 +4,8 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/export.h>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -59,7 +61,7 @@ struct Scene {
 };
 
 /** \brief How it is drawn. */
-struct PictureStyle {
+struct PCL_MSF_EXPORT PictureStyle {
   cv::Size size{640, 480};             ///< pixels, up to 3840 x 2160
   int supersampling{2};                ///< drawn so many times larger, [1, 8]
   double point_size{0.0};              ///< pixels of the picture; 0 = automatic

@@ -6,6 +6,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/pinhole_camera.h>
 
 namespace pcl_msf::visualization {
@@ -17,7 +18,7 @@ namespace pcl_msf::visualization {
  * on (scale x + cx, scale y + cy) with the camera's cx and cy. Frames are optical ones:
  * x right, y down, z forward.
  */
-struct View {
+struct PCL_MSF_EXPORT View {
   Eigen::Matrix3d rotation{Eigen::Matrix3d::Identity()}; ///< view_from_scene
   Eigen::Vector3d position{Eigen::Vector3d::Zero()};     ///< of the eye, scene, metres
   PinholeCamera camera;
@@ -51,18 +52,18 @@ struct SceneBounds {
 
 /** \brief Bounds between the 2nd and 98th percentile of each axis.
  * \param points CV_32FC3, metres; NaN is left out */
-SceneBounds
+PCL_MSF_EXPORT SceneBounds
 boundsOf (const cv::Mat& points);
 
 /** \brief What the sensor sees. \param size of its images, pixels */
-View
+PCL_MSF_EXPORT View
 sensorView (const PinholeCamera& camera, const cv::Size& size);
 
 /** \brief Looks at the scene's centre from where the sensor is, turned around it.
  * \param azimuth to the right, degrees \param elevation upwards, degrees, [-89, 89]
  * \param field_of_view along the larger side, degrees, (1, 170)
  * \param zoom 1 = the scene fills the picture; larger = nearer */
-View
+PCL_MSF_EXPORT View
 orbitView (const SceneBounds& bounds,
            const cv::Size& size,
            double azimuth,
@@ -71,7 +72,7 @@ orbitView (const SceneBounds& bounds,
            double zoom = 1.0);
 
 /** \brief Looks straight down, the sensor's viewing direction pointing up. */
-View
+PCL_MSF_EXPORT View
 topView (const SceneBounds& bounds,
          const cv::Size& size,
          double field_of_view = 45.0,
@@ -80,7 +81,7 @@ topView (const SceneBounds& bounds,
 /** \brief Looks from a point to another. \param up any direction that is not along the
  * line of sight; scene frame, e.g. (0, -1, 0) \throws InvalidInput when it is along it
  * or both points are one */
-View
+PCL_MSF_EXPORT View
 userView (const Eigen::Vector3d& eye,
           const Eigen::Vector3d& target,
           const Eigen::Vector3d& up,
@@ -89,7 +90,7 @@ userView (const Eigen::Vector3d& eye,
 
 /** \brief The parallel view of the same direction that shows the points at `distance`
  * metres from the eye at the same size. */
-View
+PCL_MSF_EXPORT View
 parallelView (const View& perspective, double distance);
 
 } // namespace pcl_msf::visualization

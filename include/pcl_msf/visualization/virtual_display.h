@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/export.h>
+
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -10,7 +12,7 @@ namespace pcl_msf::visualization {
 
 /** \brief A picture that cannot be made on this machine; what() is one line that says
  * what is missing and what to install. */
-class DisplayError : public std::runtime_error {
+class PCL_MSF_EXPORT DisplayError : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
@@ -18,7 +20,7 @@ public:
 /** \brief Why the X display that DISPLAY names cannot show OpenGL; empty when it can.
  * \param[out] connection that the check has opened; hold it until VTK has drawn, since
  * some servers start anew when their last client leaves; null = it is closed */
-std::string
+PCL_MSF_EXPORT std::string
 displayProblem (std::shared_ptr<void>* connection = nullptr);
 
 /** \brief A display for as long as the object lives: the one that DISPLAY names when
@@ -34,7 +36,7 @@ displayProblem (std::shared_ptr<void>* connection = nullptr);
  * Ctrl-C reaches the program first. DISPLAY is set for the process meanwhile: make and
  * destroy guards while no other thread reads or changes the environment.
  */
-class VirtualDisplay {
+class PCL_MSF_EXPORT VirtualDisplay {
 public:
   /** \throws DisplayError when there is no display and none can be started */
   VirtualDisplay();

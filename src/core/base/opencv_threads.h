@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/export.h>
+
 #include <functional>
 
 namespace pcl_msf {
@@ -17,13 +19,13 @@ namespace pcl_msf {
  * that run on after that one; its threads are there already then.
  *
  * An exception of f comes through. */
-void
+PCL_MSF_EXPORT void
 inThisThread (const std::function<void()>& f);
 
 /** \brief The same with one thread, in a forked process (OpenCV's threads stayed
  * behind), and when this thread's helpers are held up by other programs; otherwise
  * calls f, and OpenCV uses its threads. */
-void
+PCL_MSF_EXPORT void
 withThreads (int threads, const std::function<void()>& f);
 
 } // namespace pcl_msf

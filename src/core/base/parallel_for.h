@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/thread_team.h"
+#include <pcl_msf/export.h>
 
 #include <algorithm>
 #include <atomic>
@@ -11,7 +12,7 @@ namespace pcl_msf {
 
 /** \brief How many threads a setting means: itself, or a thread per processor that this
  * process may use for 0. */
-int
+PCL_MSF_EXPORT int
 threadCount (unsigned wanted);
 
 /** \brief Calls f (i) for each i in [0, n), on this thread and up to threads - 1

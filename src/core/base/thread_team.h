@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/export.h>
+
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
@@ -25,7 +27,7 @@ namespace pcl_msf {
  * programs want the processors), it works alone for a while: beside busy programs, more
  * threads then cost little more than one.
  */
-class ThreadTeam {
+class PCL_MSF_EXPORT ThreadTeam {
 public:
   /** \brief The calling thread's. */
   static ThreadTeam&

@@ -4,12 +4,10 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/base/merge_queue.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <queue>
-#include <set>
-#include <tuple>
 
 namespace pcl_msf {
 
@@ -40,9 +38,7 @@ struct BodyQuadratics {
   std::vector<PoseQuadratic> pairs;
   double points{0.0}; ///< independent ones
   double minimum{0.0};
-  int version{0};
-  bool alive{false}; ///< has segments and was not merged into another
-  std::set<int> neighbors;
+  bool used{false}; ///< has segments
 };
 
 PoseQuadratic
@@ -58,7 +54,7 @@ BodyQuadratics
 sum (const BodyQuadratics& a, const BodyQuadratics& b)
 {
   BodyQuadratics result;
-  result.alive = true;
+  result.used = true;
   result.points = a.points + b.points;
   const BodyQuadratics& larger = a.points >= b.points ? a : b;
   for (std::size_t p = 0; p < a.pairs.size(); ++p) {
@@ -101,18 +97,6 @@ public:
   run ();
 
 private:
-  struct Edge {
-    double increase;
-    int first, second;
-    int first_version, second_version;
-    bool
-    operator<(const Edge& other) const // the cheapest on top, ties by index
-    {
-      return std::tie (increase, first, second) >
-             std::tie (other.increase, other.first, other.second);
-    }
-  };
-
   void
   addPair (const PairTerms& terms);
   void
@@ -133,8 +117,7 @@ private:
   const MergeTuning tuning_;
   WindowState& state_;
   std::vector<BodyQuadratics> bodies_;
-  std::vector<int> joined_; ///< body -> the one that it went into
-  std::priority_queue<Edge> queue_;
+  MergeQueue queue_;
 };
 
 Merger::Merger (const std::vector<PairTerms>& terms,
@@ -147,15 +130,14 @@ Merger::Merger (const std::vector<PairTerms>& terms,
 , tuning_ (tuning)
 , state_ (state)
 , bodies_ (state.bodies())
-, joined_ (state.bodies())
+, queue_ (state.bodies())
 {
-  std::iota (joined_.begin(), joined_.end(), 0);
   for (const PairTerms& pair : terms)
     addPair (pair);
   const PairTerms own = fromReference (terms).front();
   for (std::size_t k = 0; k < state.body_of.size(); ++k) {
     bodies_[state.body_of[k]].points += independentPoints (own, static_cast<int> (k));
-    bodies_[state.body_of[k]].alive = true;
+    bodies_[state.body_of[k]].used = true;
   }
   connect (links);
 }
@@ -185,15 +167,13 @@ Merger::connect (const std::vector<SegmentLink>& links)
   for (const SegmentLink& link : links) {
     const int a = state_.body_of[link.first];
     const int b = state_.body_of[link.second];
-    if (a == b)
-      continue;
-    bodies_[a].neighbors.insert (b);
-    bodies_[b].neighbors.insert (a);
+    if (a != b)
+      queue_.link (a, b);
   }
-  for (std::size_t a = 0; a < bodies_.size(); ++a)
-    for (const int b : bodies_[a].neighbors)
-      if (static_cast<int> (a) < b)
-        consider (static_cast<int> (a), b);
+  for (int a = 0; a < static_cast<int> (bodies_.size()); ++a)
+    for (const int b : queue_.neighbors (a))
+      if (a < b)
+        consider (a, b);
 }
 
 void
@@ -206,26 +186,15 @@ Merger::consider (int a, int b)
       strictness_ *
       (tuning_.allowance + tuning_.per_point * std::min (first.points, second.points));
   if (costs < allowed)
-    queue_.push ({costs, a, b, first.version, second.version});
+    queue_.offer (costs, a, b);
 }
 
 void
 Merger::merge (int a, int b)
 {
-  BodyQuadratics merged = sum (bodies_[a], bodies_[b]);
-  merged.version = bodies_[a].version + 1;
-  merged.neighbors = bodies_[a].neighbors;
-  merged.neighbors.insert (bodies_[b].neighbors.begin(), bodies_[b].neighbors.end());
-  merged.neighbors.erase (a);
-  merged.neighbors.erase (b);
-  bodies_[b].alive = false;
-  joined_[b] = a;
-  for (const int n : merged.neighbors) {
-    bodies_[n].neighbors.erase (b);
-    bodies_[n].neighbors.insert (a);
-  }
-  bodies_[a] = std::move (merged);
-  for (const int n : bodies_[a].neighbors)
+  bodies_[a] = sum (bodies_[a], bodies_[b]);
+  queue_.merge (a, b);
+  for (const int n : queue_.neighbors (a))
     consider (std::min (a, n), std::max (a, n));
 }
 
@@ -236,7 +205,7 @@ Merger::considerLargest()
 {
   std::vector<int> order;
   for (std::size_t b = 0; b < bodies_.size(); ++b)
-    if (bodies_[b].alive)
+    if (bodies_[b].used && queue_.isLeft (static_cast<int> (b)))
       order.push_back (static_cast<int> (b));
   std::stable_sort (order.begin(), order.end(), [&] (int a, int b) {
     return bodies_[a].points > bodies_[b].points;
@@ -250,26 +219,18 @@ Merger::considerLargest()
 void
 Merger::mergeQueued()
 {
-  while (!queue_.empty()) {
-    const Edge e = queue_.top();
-    queue_.pop();
-    const BodyQuadratics& first = bodies_[e.first];
-    const BodyQuadratics& second = bodies_[e.second];
-    if (first.alive && second.alive && first.version == e.first_version &&
-        second.version == e.second_version)
-      merge (e.first, e.second);
-  }
+  while (const auto pair = queue_.next())
+    merge (pair->first, pair->second);
 }
 
 void
 Merger::writeBack()
 {
   for (int& body : state_.body_of)
-    while (joined_[body] != body)
-      body = joined_[body];
+    body = queue_.partOf (body);
   const std::vector<int> before = state_.renumberBodies();
   for (std::size_t b = 0; b < before.size(); ++b)
-    if (bodies_[before[b]].version > 0)
+    if (queue_.hasGrown (before[b]))
       for (std::size_t p = 0; p < terms_.size(); ++p)
         Eigen::Map<Vector6> (state_.poses[terms_[p].pair][b].parameters.data()) =
             bodies_[before[b]].pairs[p].best;

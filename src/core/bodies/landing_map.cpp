@@ -32,12 +32,8 @@ public:
     if (!(q.z() > 1e-3f))
       return false;
     at_ = projectTo (image_, q);
-    if (!(at_.u > -0.5f && at_.v > -0.5f &&
-          at_.u < static_cast<float> (image_.width) - 0.5f &&
-          at_.v < static_cast<float> (image_.height) - 0.5f))
-      return false;
-    const float seen = inverseDepthAt (image_, at_);
-    return seen > 0.0f && std::abs (seen - 1.0f / q.z()) < p_.depth_tolerance[i];
+    return isOnPixel (image_, at_) &&
+           isOnSurface (inverseDepthAt (image_, at_), q.z(), p_.depth_tolerance[i]);
   }
 
   /** Whether the surface there looks like the point. */

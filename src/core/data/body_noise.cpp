@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/data/body_noise.h"
 
+#include "core/base/order_statistics.h"
 #include "core/base/parallel_for.h"
 #include "core/data/point_residuals.h"
 
@@ -41,8 +42,7 @@ sharpness (std::vector<float>& sizes, int least, double limit)
 {
   if (static_cast<int> (sizes.size()) < least)
     return 1.0f;
-  std::nth_element (sizes.begin(), sizes.begin() + sizes.size() / 2, sizes.end());
-  const double spread = kMadToSigma * sizes[sizes.size() / 2];
+  const double spread = kMadToSigma * median (sizes);
   return static_cast<float> (1.0 / std::clamp (spread, 1.0 / limit, 1.0));
 }
 

@@ -46,16 +46,15 @@ forEachSeen (const DataTerm& data,
     PointResiduals residuals;
     residuals.at = projectTo (image, q);
     const ImagePlace& at = residuals.at;
-    if (!(at.u >= 0.0f && at.v >= 0.0f && at.u < static_cast<float> (image.width - 1) &&
-          at.v < static_cast<float> (image.height - 1)))
+    if (!isBetweenPixels (image, at))
       continue;
     const float seen = inverseDepthAt (image, at);
-    if (!(seen > 0.0f) || std::abs (seen - 1.0f / q.z()) > p.depth_tolerance[i])
+    if (!isOnSurface (seen, q.z(), p.depth_tolerance[i]))
       continue;
     const Eigen::Vector3f n = r * Eigen::Vector3f (p.nx[i], p.ny[i], p.nz[i]);
     residuals.brightness =
         (intensityAt (image, at) - p.intensity[i]) * p.brightness_scale[i];
-    residuals.icp = n.dot (q) * (1.0f - 1.0f / (q.z() * seen)) * p.icp_scale[i];
+    residuals.icp = planeDistance (q, n, seen) * p.icp_scale[i];
     f (i, residuals);
   }
 }

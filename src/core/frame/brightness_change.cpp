@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/frame/brightness_change.h"
 
+#include "core/base/order_statistics.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,11 +12,9 @@ namespace pcl_msf {
 namespace {
 
 double
-median (std::vector<float> values)
+medianOf (std::vector<float> values) // a copy, to be sorted
 {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t> (values.size() / 2);
-  std::nth_element (values.begin(), middle, values.end());
-  return *middle;
+  return median (values);
 }
 
 /** Means and standard deviations of the pairs within the limit. */
@@ -59,12 +59,12 @@ fitBrightnessChange (const std::vector<float>& a,
   if (a.size() < min_pairs)
     return {};
   double gain = 1.0;
-  double offset = median (b) - median (a);
+  double offset = medianOf (b) - medianOf (a);
   std::vector<float> residual (a.size());
   for (int round = 0; round < tuning.rounds; ++round) {
     for (std::size_t i = 0; i < a.size(); ++i)
       residual[i] = static_cast<float> (std::abs (gain * a[i] + offset - b[i]));
-    const double limit = std::max (tuning.inlier_mads * median (residual), 1e-3);
+    const double limit = std::max (tuning.inlier_mads * medianOf (residual), 1e-3);
     const Moments m = momentsOfInliers (a, b, residual, limit);
     if (m.count < min_pairs)
       return {};

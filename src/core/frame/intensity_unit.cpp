@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/base/number_text.h"
+#include "core/base/order_statistics.h"
 #include <pcl_msf/cloud_conversions.h>
 #include <pcl_msf/errors.h>
 
@@ -28,10 +29,7 @@ brightest (const cv::Mat& image)
         values.push_back (value);
   if (values.empty())
     return 0.0;
-  const auto last = values.begin() + static_cast<std::ptrdiff_t> ((1.0 - kHighlights) *
-                                                                  (values.size() - 1));
-  std::nth_element (values.begin(), last, values.end());
-  return *last;
+  return quantile (values, 1.0 - kHighlights);
 }
 
 bool

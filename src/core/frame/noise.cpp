@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/frame/noise.h"
 
+#include "core/base/order_statistics.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -12,16 +14,6 @@ namespace {
 
 constexpr double kMadToSigma = 1.4826;
 constexpr int kStride = 2; // every second row and column is sample enough
-
-double
-quantile (std::vector<float>& values, double share)
-{
-  if (values.empty())
-    return 0.0;
-  const auto n = static_cast<std::ptrdiff_t> (share * (values.size() - 1));
-  std::nth_element (values.begin(), values.begin() + n, values.end());
-  return values[n];
-}
 
 } // namespace
 
@@ -41,6 +33,8 @@ estimateIntensityNoise (const cv::Mat& image)
       responses.push_back (std::abs (top - 2.0f * mid + low));
     }
   }
+  if (responses.empty())
+    return 0.0;
   // The mask's squares sum to 36.
   return kMadToSigma * quantile (responses, 0.5) / 6.0;
 }
@@ -56,6 +50,8 @@ estimateInverseDepthNoise (const cv::Mat& inverse_depth)
       if (w[x - 1] > 0.0f && w[x] > 0.0f && w[x + 1] > 0.0f)
         differences.push_back (std::abs (w[x - 1] - 2.0f * w[x] + w[x + 1]));
   }
+  if (differences.empty())
+    return 0.0;
   // Quantized disparity has many exact zeros: the upper quartile sees the steps.
   const double by_median = kMadToSigma * quantile (differences, 0.5);
   const double by_quartile = quantile (differences, 0.75) / 1.1503;

@@ -5,6 +5,8 @@
 #include <pcl/features/integral_image_normal.h>
 #include <pcl/point_types.h>
 
+#include "core/base/order_statistics.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -145,8 +147,7 @@ medianInverseDepth (const cv::Mat& w)
         values.push_back (w.at<float> (y, x));
   if (values.empty())
     return 1.0f;
-  std::nth_element (values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
+  return median (values);
 }
 
 /** Zero without a slope. */

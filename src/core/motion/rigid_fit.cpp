@@ -4,6 +4,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/base/order_statistics.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -168,8 +170,7 @@ FlowFit::medianError()
     for (int i = 0; i < n; ++i)
       errors_[first + i] = k.ru[i] * k.ru[i] + k.rv[i] * k.rv[i];
   });
-  std::nth_element (errors_.begin(), errors_.begin() + count_ / 2, errors_.end());
-  return std::sqrt (errors_[count_ / 2]);
+  return std::sqrt (median (errors_));
 }
 
 /** With rows j of a sample's residuals by its translation, all rows are [l x j; j]: A

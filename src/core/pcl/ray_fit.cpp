@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/pcl/ray_fit.h"
 
+#include "core/base/order_statistics.h"
+
 #include <cmath>
 #include <limits>
 
@@ -32,9 +34,7 @@ medianOf (std::vector<double> values)
 {
   if (values.empty())
     return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t> (values.size() / 2);
-  std::nth_element (values.begin(), middle, values.end());
-  return *middle;
+  return median (values);
 }
 
 RayLine

@@ -2,11 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/points/part_merging.h"
 
+#include "core/base/merge_queue.h"
+
 #include <algorithm>
-#include <numeric>
-#include <queue>
-#include <set>
-#include <tuple>
 
 namespace pcl_msf {
 
@@ -16,21 +14,6 @@ struct Part {
   RigidMoments moments;
   RigidPose pose;
   double minimum{0.0};
-  int version{0};
-  bool alive{true};
-  std::set<int> neighbors;
-};
-
-struct Offer {
-  double excess; ///< of the increase over what is allowed
-  int first, second;
-  int first_version, second_version;
-  bool
-  operator<(const Offer& other) const // the cheapest on top, ties by index
-  {
-    return std::tie (excess, first, second) >
-           std::tie (other.excess, other.first, other.second);
-  }
 };
 
 class Merger {
@@ -43,18 +26,15 @@ public:
   : variance_ (variance)
   , tuning_ (tuning)
   , parts_ (moments.size())
-  , joined_ (moments.size())
+  , queue_ (static_cast<int> (moments.size()))
   {
-    std::iota (joined_.begin(), joined_.end(), 0);
     for (std::size_t k = 0; k < moments.size(); ++k) {
       parts_[k].moments = moments[k];
       parts_[k].pose = moments[k].solve (poses[k]);
       parts_[k].minimum = moments[k].cost (parts_[k].pose);
     }
-    for (const SegmentLink& link : links) {
-      parts_[link.first].neighbors.insert (link.second);
-      parts_[link.second].neighbors.insert (link.first);
-    }
+    for (const SegmentLink& link : links)
+      queue_.link (link.first, link.second);
     for (const SegmentLink& link : links)
       consider (link.first, link.second);
   }
@@ -62,26 +42,17 @@ public:
   void
   run ()
   {
-    while (!offers_.empty()) {
-      const Offer offer = offers_.top();
-      offers_.pop();
-      const Part& a = parts_[offer.first];
-      const Part& b = parts_[offer.second];
-      if (a.alive && b.alive && a.version == offer.first_version &&
-          b.version == offer.second_version)
-        merge (offer.first, offer.second);
-    }
+    while (const auto pair = queue_.next())
+      merge (pair->first, pair->second);
   }
 
   MergedParts
-  result () const
+  result ()
   {
     MergedParts merged;
     std::vector<int> number (parts_.size(), -1);
     for (std::size_t k = 0; k < parts_.size(); ++k) {
-      int p = static_cast<int> (k);
-      while (joined_[p] != p)
-        p = joined_[p];
+      const int p = queue_.partOf (static_cast<int> (k));
       if (number[p] < 0) {
         number[p] = static_cast<int> (merged.poses.size());
         merged.poses.push_back (parts_[p].pose);
@@ -118,36 +89,26 @@ private:
     const double excess =
         increase / variance_ - tuning_.allowance - tuning_.per_point * points;
     if (excess < 0.0)
-      offers_.push ({excess, a, b, parts_[a].version, parts_[b].version});
+      queue_.offer (excess, a, b);
   }
   void
   merge (int a, int b)
   {
     Part& to = parts_[a];
-    Part& from = parts_[b];
+    const Part& from = parts_[b];
     const RigidPose start = larger (to, from).pose;
     to.moments.add (from.moments);
     to.pose = to.moments.solve (start);
     to.minimum = to.moments.cost (to.pose);
-    ++to.version;
-    from.alive = false;
-    joined_[b] = a;
-    for (const int n : from.neighbors) {
-      parts_[n].neighbors.erase (b);
-      if (n != a) {
-        parts_[n].neighbors.insert (a);
-        to.neighbors.insert (n);
-      }
-    }
-    for (const int n : std::set<int> (to.neighbors))
+    queue_.merge (a, b);
+    for (const int n : queue_.neighbors (a))
       consider (a, n);
   }
 
   double variance_;
   const PointPartTuning& tuning_;
   std::vector<Part> parts_;
-  std::vector<int> joined_; ///< the one that a part went into
-  std::priority_queue<Offer> offers_;
+  MergeQueue queue_; ///< by the increase over what is allowed
 };
 
 } // namespace

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace pcl_msf {
 
@@ -36,19 +37,28 @@ featureTree (const std::vector<Eigen::Vector3f>& points,
   return PointTree (std::move (rows), 6);
 }
 
-/** Geman-McClure's weight on the distance, none for surfaces that face each other. */
-double
-trust (const Eigen::Vector3f& x,
-       const Eigen::Vector3f& n,
-       const Eigen::Vector3f& q,
-       const Eigen::Vector3f& m,
-       const MatchRules& rules)
-{
-  const double facing = std::max (0.0f, n.dot (m));
-  const double s = rules.distance * rules.distance;
-  const double g = s / (s + (x - q).squaredNorm());
-  return g * g * facing * facing;
-}
+/** The moved points, to be found by those of the target. */
+class MovedTree {
+public:
+  MovedTree (const MovedPoints& moved, const Surface& target, double normal_length)
+  : target_ (target)
+  , normal_length_ (normal_length)
+  , tree_ (featureTree (moved.points, moved.normals, normal_length))
+  {}
+
+  /** \return the moved point that is nearest to one of the target, -1 = none */
+  int
+  nearestTo (int j) const
+  {
+    const Feature f = featureOf (target_.points[j], target_.normals[j], normal_length_);
+    return tree_.nearest (f.data()).index;
+  }
+
+private:
+  const Surface& target_;
+  const double normal_length_;
+  const PointTree tree_;
+};
 
 } // namespace
 
@@ -76,99 +86,103 @@ MatchTarget::prepare (double normal_length)
   normal_length_ = normal_length;
 }
 
+/** The target's point that is nearest to a moved one, -1 = none. */
+int
+MatchTarget::nearestTo (const MovedPoints& moved, int i) const
+{
+  const Feature f = featureOf (moved.points[i], moved.normals[i], normal_length_);
+  return tree_.nearest (f.data()).index;
+}
+
+/** Geman-McClure's weight on the distance, none for surfaces that face each other. */
+double
+MatchTarget::weight (const MovedPoints& moved,
+                     int i,
+                     int j,
+                     const MatchRules& rules) const
+{
+  const double facing = std::max (0.0f, moved.normals[i].dot (surface_.normals[j]));
+  const double s = rules.distance * rules.distance;
+  const double g = s / (s + (moved.points[i] - surface_.points[j]).squaredNorm());
+  return g * g * facing * facing;
+}
+
+/** Mean of score (moved point, target's point, is it the moved one's match?) over the
+ * matches of the moved points and over those of the samples; 0 without a match. */
+template <typename Score>
+std::pair<double, double>
+MatchTarget::meanScores (const MovedPoints& moved,
+                         const MatchRules& rules,
+                         int threads,
+                         const Score& score)
+{
+  prepare (rules.normal_length);
+  const MovedTree own (moved, surface_, rules.normal_length);
+  std::vector<double> forward (moved.points.size(), 0.0);
+  std::vector<double> backward (samples_.size(), 0.0);
+  parallelFor (threads, static_cast<int> (forward.size()), 128, [&] (int i) {
+    if (const int j = nearestTo (moved, i); j >= 0)
+      forward[i] = score (i, j, true);
+  });
+  parallelFor (threads, static_cast<int> (backward.size()), 128, [&] (int s) {
+    if (const int i = own.nearestTo (samples_[s]); i >= 0)
+      backward[s] = score (i, samples_[s], false);
+  });
+  const auto mean = [] (const std::vector<double>& scores) {
+    return std::accumulate (scores.begin(), scores.end(), 0.0) /
+           static_cast<double> (std::max<std::size_t> (1, scores.size()));
+  };
+  return {mean (forward), mean (backward)};
+}
+
 std::vector<PointPull>
 MatchTarget::pulls (const MovedPoints& moved, const MatchRules& rules, int threads)
 {
   prepare (rules.normal_length);
   const int n = static_cast<int> (moved.points.size());
   std::vector<PointPull> pulls (n);
-  const PointTree own = featureTree (moved.points, moved.normals, rules.normal_length);
+  const MovedTree own (moved, surface_, rules.normal_length);
+  const auto pull = [&] (int i, int j, double share) {
+    pulls[i].add (surface_.points[j].cast<double>(),
+                  surface_.normals[j].cast<double>(),
+                  share,
+                  rules.isotropy);
+  };
   parallelFor (threads, n, 128, [&] (int i) {
-    const Eigen::Vector3f x = moved.points[i];
-    const Feature f = featureOf (x, moved.normals[i], rules.normal_length);
-    const int j = tree_.nearest (f.data()).index;
+    const int j = nearestTo (moved, i);
     if (j < 0 || (surface_.border[j] && !rules.borders))
       return;
-    const Eigen::Vector3f q = surface_.points[j];
-    double weight = trust (x, moved.normals[i], q, surface_.normals[j], rules);
-    if (rules.mutual > 0.0 && weight > 1e-6) {
-      const Feature back = featureOf (q, surface_.normals[j], rules.normal_length);
-      const int k = own.nearest (back.data()).index;
-      const double way = (moved.points[k] - x).squaredNorm();
+    double share = weight (moved, i, j, rules);
+    if (rules.mutual > 0.0 && share > 1e-6) {
+      const int k = own.nearestTo (j);
+      const double way = (moved.points[k] - moved.points[i]).squaredNorm();
       const double s = rules.mutual * rules.mutual;
-      weight *= s / (s + way) * s / (s + way);
+      share *= s / (s + way) * s / (s + way);
     }
-    pulls[i].add (
-        q.cast<double>(), surface_.normals[j].cast<double>(), weight, rules.isotropy);
+    pull (i, j, share);
   });
   if (!(rules.backward > 0.0))
     return pulls;
-  struct Match {
-    int sample{-1};
-    double weight{0.0};
-  };
   const int m = static_cast<int> (samples_.size());
-  std::vector<Match> matches (m);
+  std::vector<PointPair> matches (m);
   parallelFor (threads, m, 128, [&] (int s) {
     const int j = samples_[s];
-    const Feature f =
-        featureOf (surface_.points[j], surface_.normals[j], rules.normal_length);
-    const int i = own.nearest (f.data()).index;
-    if (i >= 0)
-      matches[s] = {i,
-                    trust (moved.points[i],
-                           moved.normals[i],
-                           surface_.points[j],
-                           surface_.normals[j],
-                           rules)};
+    if (const int i = own.nearestTo (j); i >= 0)
+      matches[s] = {i, j, weight (moved, i, j, rules)};
   });
   const double share = rules.backward * n / std::max (1, m);
-  for (int s = 0; s < m; ++s)
-    if (matches[s].sample >= 0)
-      pulls[matches[s].sample].add (surface_.points[samples_[s]].cast<double>(),
-                                    surface_.normals[samples_[s]].cast<double>(),
-                                    share * matches[s].weight,
-                                    rules.isotropy);
+  for (const PointPair& match : matches)
+    if (match.source >= 0)
+      pull (match.source, match.target, share * match.weight);
   return pulls;
 }
 
 std::pair<double, double>
 MatchTarget::explained (const MovedPoints& moved, const MatchRules& rules, int threads)
 {
-  prepare (rules.normal_length);
-  const int n = static_cast<int> (moved.points.size());
-  const int m = static_cast<int> (samples_.size());
-  const PointTree own = featureTree (moved.points, moved.normals, rules.normal_length);
-  std::vector<double> f (n, 0.0), b (m, 0.0);
-  parallelFor (threads, n, 128, [&] (int i) {
-    const Feature x =
-        featureOf (moved.points[i], moved.normals[i], rules.normal_length);
-    const int j = tree_.nearest (x.data()).index;
-    if (j >= 0 && !surface_.border[j])
-      f[i] = trust (moved.points[i],
-                    moved.normals[i],
-                    surface_.points[j],
-                    surface_.normals[j],
-                    rules);
+  return meanScores (moved, rules, threads, [&] (int i, int j, bool forward) {
+    return forward && surface_.border[j] ? 0.0 : weight (moved, i, j, rules);
   });
-  parallelFor (threads, m, 128, [&] (int s) {
-    const int j = samples_[s];
-    const Feature x =
-        featureOf (surface_.points[j], surface_.normals[j], rules.normal_length);
-    const int i = own.nearest (x.data()).index;
-    if (i >= 0)
-      b[s] = trust (moved.points[i],
-                    moved.normals[i],
-                    surface_.points[j],
-                    surface_.normals[j],
-                    rules);
-  });
-  double fs = 0.0, bs = 0.0;
-  for (const double v : f)
-    fs += v;
-  for (const double v : b)
-    bs += v;
-  return {fs / n, bs / m};
 }
 
 std::vector<float>
@@ -181,12 +195,10 @@ MatchTarget::distances (const MovedPoints& moved,
   const auto limit = static_cast<float> (most);
   std::vector<float> result (moved.points.size(), limit);
   parallelFor (threads, static_cast<int> (result.size()), 128, [&] (int i) {
-    const Eigen::Vector3f& x = moved.points[i];
-    const Feature f = featureOf (x, moved.normals[i], rules.normal_length);
-    const int j = tree_.nearest (f.data()).index;
+    const int j = nearestTo (moved, i);
     if (j < 0)
       return;
-    const Eigen::Vector3f d = x - surface_.points[j];
+    const Eigen::Vector3f d = moved.points[i] - surface_.points[j];
     if (d.norm() < limit && moved.normals[i].dot (surface_.normals[j]) > 0.0f)
       result[i] = std::abs (d.dot (surface_.normals[j]));
   });
@@ -199,37 +211,10 @@ MatchTarget::covered (const MovedPoints& moved,
                       double most,
                       int threads)
 {
-  prepare (rules.normal_length);
-  const PointTree own = featureTree (moved.points, moved.normals, rules.normal_length);
-  const auto near =
-      [most] (const auto& x, const auto& n, const auto& q, const auto& m) {
-        return (x - q).norm() < most && n.dot (m) > 0.0f ? 1 : 0;
-      };
-  const int n = static_cast<int> (moved.points.size());
-  const int m = static_cast<int> (samples_.size());
-  const int forward = parallelSum (threads, n, 128, [&] (int i) {
-    const Feature f =
-        featureOf (moved.points[i], moved.normals[i], rules.normal_length);
-    const int j = tree_.nearest (f.data()).index;
-    return j < 0 ? 0
-                 : near (moved.points[i],
-                         moved.normals[i],
-                         surface_.points[j],
-                         surface_.normals[j]);
+  return meanScores (moved, rules, threads, [&] (int i, int j, bool) {
+    const bool near = (moved.points[i] - surface_.points[j]).norm() < most;
+    return near && moved.normals[i].dot (surface_.normals[j]) > 0.0f ? 1.0 : 0.0;
   });
-  const int backward = parallelSum (threads, m, 128, [&] (int s) {
-    const int j = samples_[s];
-    const Feature f =
-        featureOf (surface_.points[j], surface_.normals[j], rules.normal_length);
-    const int i = own.nearest (f.data()).index;
-    return i < 0 ? 0
-                 : near (moved.points[i],
-                         moved.normals[i],
-                         surface_.points[j],
-                         surface_.normals[j]);
-  });
-  return {static_cast<double> (forward) / std::max (1, n),
-          static_cast<double> (backward) / std::max (1, m)};
 }
 
 std::vector<PointPair>
@@ -237,24 +222,16 @@ MatchTarget::tightPairs (const MovedPoints& moved, const MatchRules& rules, int 
 {
   prepare (rules.normal_length);
   const int n = static_cast<int> (moved.points.size());
-  const PointTree own = featureTree (moved.points, moved.normals, rules.normal_length);
+  const MovedTree own (moved, surface_, rules.normal_length);
   std::vector<PointPair> all (n);
   parallelFor (threads, n, 128, [&] (int i) {
-    const Feature x =
-        featureOf (moved.points[i], moved.normals[i], rules.normal_length);
-    const int j = tree_.nearest (x.data()).index;
+    const int j = nearestTo (moved, i);
     if (j < 0 || surface_.border[j])
       return;
-    const Feature y =
-        featureOf (surface_.points[j], surface_.normals[j], rules.normal_length);
-    const int k = own.nearest (y.data()).index;
+    const int k = own.nearestTo (j);
     if ((moved.points[k] - moved.points[i]).norm() > rules.distance)
       return;
-    const double w = trust (moved.points[i],
-                            moved.normals[i],
-                            surface_.points[j],
-                            surface_.normals[j],
-                            rules);
+    const double w = weight (moved, i, j, rules);
     if (w > rules.least)
       all[i] = {i, j, w};
   });

@@ -73,6 +73,16 @@ public:
 private:
   void
   prepare (double normal_length);
+  int
+  nearestTo (const MovedPoints& moved, int i) const;
+  double
+  weight (const MovedPoints& moved, int i, int j, const MatchRules& rules) const;
+  template <typename Score>
+  std::pair<double, double>
+  meanScores (const MovedPoints& moved,
+              const MatchRules& rules,
+              int threads,
+              const Score& score);
 
   const Surface& surface_;
   std::vector<int> samples_; ///< points that look for matches themselves

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/points/residual_scale.h"
 
+#include "core/base/order_statistics.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,9 +23,7 @@ deviationOf (const MovedPoints& moved, const std::vector<PointPull>& pulls)
   }
   if (residuals.empty())
     return 0.0;
-  const auto middle = residuals.begin() + residuals.size() / 2;
-  std::nth_element (residuals.begin(), middle, residuals.end());
-  return 1.4826 * std::sqrt (*middle);
+  return 1.4826 * std::sqrt (median (residuals));
 }
 
 } // namespace pcl_msf

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/result/dense_visibility.h"
 
+#include "core/base/order_statistics.h"
 #include "core/base/parallel_for.h"
 #include "core/data/surface_sample.h"
 
@@ -38,8 +39,7 @@ surfaceAt (const kernel::Image& image, const ImagePlace& at, float tolerance)
     return inverseDepthAt (image, {u, v});
   const float a = u - static_cast<float> (u0);
   const float b = v - static_cast<float> (v0);
-  return (1.0f - b) * ((1.0f - a) * top[0] + a * top[2]) +
-         b * ((1.0f - a) * low[0] + a * low[2]);
+  return bilinear (a, b, top[0], top[2], low[0], low[2]);
 }
 
 Landing
@@ -77,9 +77,8 @@ widening (const std::vector<Landing>& landings, const SegmentPixels& pixels, flo
   }
   if (sizes.empty())
     return 1.0f;
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t> (sizes.size() / 2);
-  std::nth_element (sizes.begin(), middle, sizes.end());
-  return std::clamp (pixels.tolerance_sigmas * kMadToSigma * *middle, 1.0f, most);
+  return std::clamp (
+      pixels.tolerance_sigmas * kMadToSigma * median (sizes), 1.0f, most);
 }
 
 /** Measurements in a point's surroundings, and those of them that agree with it. */

@@ -71,11 +71,7 @@ LinkClassifier::LinkClassifier (const DataTerm& data,
 bool
 LinkClassifier::inView (const Eigen::Vector3f& q) const
 {
-  if (!(q.z() > 1e-3f))
-    return false;
-  const ImagePlace at = projectTo (image_, q);
-  return at.u >= 0.0f && at.v >= 0.0f && at.u < static_cast<float> (image_.width - 1) &&
-         at.v < static_cast<float> (image_.height - 1);
+  return q.z() > 1e-3f && isBetweenPixels (image_, projectTo (image_, q));
 }
 
 /** Cost of the brightness and the plane distance of a point in view, truncated; the
@@ -94,10 +90,9 @@ LinkClassifier::misfit (int i,
   const float brightness =
       cost ((intensityAt (image_, at) - p.intensity[i]) * p.brightness_scale[i]);
   const float w = inverseDepthAt (image_, at);
-  if (!(w > 0.0f) || std::abs (w - 1.0f / q.z()) > p.depth_tolerance[i])
+  if (!isOnSurface (w, q.z(), p.depth_tolerance[i]))
     return brightness + rules.truncation;
-  const float plane = normal.dot (q) * (1.0f - 1.0f / (q.z() * w));
-  return brightness + cost (plane * p.icp_scale[i]);
+  return brightness + cost (planeDistance (q, normal, w) * p.icp_scale[i]);
 }
 
 void

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/result/motion_groups.h"
 
+#include "core/base/disjoint_sets.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -16,13 +18,7 @@ groupBodies (const MotionState& state,
              const std::vector<SegmentPair>& pairs,
              const GroupTuning& tuning)
 {
-  std::vector<int> group (state.poses.size());
-  std::iota (group.begin(), group.end(), 0);
-  const auto root = [&] (int b) {
-    while (group[b] != b)
-      b = group[b];
-    return b;
-  };
+  DisjointSets groups (static_cast<int> (state.poses.size()));
   std::vector<int> segments (state.poses.size(), 0);
   for (const int b : state.body_of)
     ++segments[b];
@@ -31,14 +27,12 @@ groupBodies (const MotionState& state,
   };
   for (const SegmentPair& pair : pairs)
     if (pair.weight >= tuning.together ||
-        (pair.mixing >= tuning.soft && small (pair.first) && small (pair.second))) {
-      const int a = root (state.body_of[pair.first]);
-      const int b = root (state.body_of[pair.second]);
-      group[std::max (a, b)] = std::min (a, b);
-    }
-  for (int& g : group)
-    g = root (g);
-  return group;
+        (pair.mixing >= tuning.soft && small (pair.first) && small (pair.second)))
+      groups.join (state.body_of[pair.first], state.body_of[pair.second]);
+  std::vector<int> group_of (state.poses.size());
+  for (std::size_t b = 0; b < group_of.size(); ++b)
+    group_of[b] = groups.root (static_cast<int> (b));
+  return group_of;
 }
 
 /** Points per body or group. */

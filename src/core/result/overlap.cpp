@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/result/overlap.h"
 
+#include "core/base/bilinear.h"
+#include "core/base/order_statistics.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -23,7 +26,7 @@ isKnown (const cv::Vec2f& way)
 
 /** Between pixels; NaN outside. */
 float
-bilinear (const cv::Mat& image, float x, float y)
+sampleAt (const cv::Mat& image, float x, float y)
 {
   if (!(x >= 0.0f && y >= 0.0f && x <= static_cast<float> (image.cols - 1) &&
         y <= static_cast<float> (image.rows - 1)))
@@ -34,8 +37,7 @@ bilinear (const cv::Mat& image, float x, float y)
   const float b = y - static_cast<float> (y0);
   const float* const top = image.ptr<float> (y0) + x0;
   const float* const low = image.ptr<float> (y0 + 1) + x0;
-  return (1.0f - b) * ((1.0f - a) * top[0] + a * top[1]) +
-         b * ((1.0f - a) * low[0] + a * low[1]);
+  return bilinear (a, b, top[0], top[1], low[0], low[1]);
 }
 
 /** A visible point's intensity in the other frame; NaN for all others. */
@@ -45,7 +47,7 @@ found (const cv::Mat& intensity, const SceneFlow& flow, int u, int v)
   const cv::Vec2f& way = flow.flow.at<cv::Vec2f> (v, u);
   if (flow.visibility.at<unsigned char> (v, u) != Visible || !isKnown (way))
     return kNone;
-  return bilinear (
+  return sampleAt (
       intensity, static_cast<float> (u) + way[0], static_cast<float> (v) + way[1]);
 }
 
@@ -186,9 +188,7 @@ compareTexture (const RgbdFrame& reference,
     }
   if (values.empty())
     return {};
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t> (values.size() / 2);
-  std::nth_element (values.begin(), middle, values.end());
-  return {static_cast<int> (values.size()), *middle};
+  return {static_cast<int> (values.size()), median (values)};
 }
 
 } // namespace pcl_msf

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/segments/connected_segments.h"
 
+#include "core/base/disjoint_sets.h"
 #include "core/base/parallel_for.h"
 #include "core/segments/surface_clusters.h"
 
@@ -13,33 +14,6 @@
 namespace pcl_msf {
 
 namespace {
-
-/** Disjoint sets of numbers; the smallest one is the root. */
-class Sets {
-public:
-  explicit Sets (int n) : parent_ (n) { std::iota (parent_.begin(), parent_.end(), 0); }
-
-  int
-  root (int i)
-  {
-    while (parent_[i] != i) {
-      parent_[i] = parent_[parent_[i]];
-      i = parent_[i];
-    }
-    return i;
-  }
-  void
-  join (int a, int b)
-  {
-    a = root (a);
-    b = root (b);
-    if (a != b)
-      parent_[std::max (a, b)] = std::min (a, b);
-  }
-
-private:
-  std::vector<int> parent_;
-};
 
 /** Slopes of the inverse depth per pixel, from the normals. */
 class TangentPlanes {
@@ -140,7 +114,7 @@ public:
   Parts (const cv::Mat& labels, const cv::Mat& connections)
   : part_ (labels.size(), CV_32SC1, cv::Scalar (-1)), sets_ (0)
   {
-    Sets pixels = connect (labels, connections);
+    DisjointSets pixels = connect (labels, connections);
     for (int y = 0; y < labels.rows; ++y) {
       const int* row = labels.ptr<int> (y);
       int* part = part_.ptr<int> (y);
@@ -160,7 +134,7 @@ public:
         ++size_[part[x]];
       }
     }
-    sets_ = Sets (static_cast<int> (first_.size()));
+    sets_ = DisjointSets (static_cast<int> (first_.size()));
   }
 
   int
@@ -186,10 +160,10 @@ public:
 
 private:
   /** Runs of connected pixels of a row, then rows with each other. */
-  static Sets
+  static DisjointSets
   connect (const cv::Mat& labels, const cv::Mat& connections)
   {
-    Sets sets (static_cast<int> (labels.total()));
+    DisjointSets sets (static_cast<int> (labels.total()));
     for (int y = 0; y < labels.rows; ++y) {
       const unsigned char* row = connections.ptr<unsigned char> (y);
       const unsigned char* next =
@@ -210,7 +184,7 @@ private:
   cv::Mat part_; ///< CV_32SC1, before any was absorbed; -1 = none
   std::vector<int> first_;
   std::vector<int> size_; ///< of the roots of sets_
-  Sets sets_;
+  DisjointSets sets_;
 };
 
 /** All edges that a small part has with others, in raster order. */

@@ -20,7 +20,40 @@ isShare (double value)
   return value >= 0.0 && value <= 1.0;
 }
 
+/** Motions between frames that the former window held, too. \param former per frame but
+ * the new one, its place in that window \param origin per segment, its number there or
+ * -1 */
+std::vector<KnownStep>
+knownSteps (const MultiframeSceneFlow& result,
+            const std::vector<int>& former,
+            const std::vector<int>& origin)
+{
+  std::vector<KnownStep> known;
+  for (int k = 0; k + 1 < static_cast<int> (former.size()); ++k) {
+    KnownStep step{k, k + 1, {}, {}};
+    for (const int segment : origin) {
+      step.known.push_back (segment >= 0);
+      step.poses.push_back (segment >= 0
+                                ? result.poseBetween (former[k], former[k + 1], segment)
+                                : RigidPose{});
+    }
+    known.push_back (std::move (step));
+  }
+  return known;
+}
+
 } // namespace
+
+/** What is solved next. */
+struct SceneFlowTracker::Window {
+  std::deque<RgbdFrame> frames;
+  std::vector<long> indices; ///< per frame
+  std::vector<int>
+      former; ///< per frame but the new one, its place in the former window
+  Oversegmentation segments;
+  std::vector<int> origin; ///< per segment, its number in the former window or -1
+  RigidPose world_from_reference;
+};
 
 bool
 TrackerParameters::isValid (std::string* why) const
@@ -179,25 +212,6 @@ SceneFlowTracker::add (const RgbdFrame& frame)
   solve (std::move (window));
 }
 
-/** Motions between frames that the former window held, too. */
-std::vector<KnownStep>
-SceneFlowTracker::knownSteps (const Window& window) const
-{
-  std::vector<KnownStep> known;
-  for (int k = 0; k + 1 < static_cast<int> (window.former.size()); ++k) {
-    KnownStep step{k, k + 1, {}, {}};
-    for (const int origin : window.origin) {
-      step.known.push_back (origin >= 0);
-      step.poses.push_back (
-          origin >= 0
-              ? result_.poseBetween (window.former[k], window.former[k + 1], origin)
-              : RigidPose{});
-    }
-    known.push_back (std::move (step));
-  }
-  return known;
-}
-
 /** Solves a window; what the last one knew of its motions is the start. */
 void
 SceneFlowTracker::solve (Window window)
@@ -210,7 +224,8 @@ SceneFlowTracker::solve (Window window)
           ? RigidPose{}
           : sceneFlow().dominant_motion *
                 result_.frames[result_.frames.size() - 2].dominant_motion.inverse();
-  MultiframeSceneFlow result = joint.run (last_step, knownSteps (window));
+  MultiframeSceneFlow result =
+      joint.run (last_step, knownSteps (result_, window.former, window.origin));
   const double covered =
       labelledShare (joint.labelsIn (static_cast<int> (frames.size()) - 1),
                      frames.back().levels()[0].inverse_depth);

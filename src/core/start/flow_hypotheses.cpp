@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <opencv2/video/tracking.hpp>
 
+#include "core/base/bilinear.h"
 #include "core/base/opencv_threads.h"
 #include "core/base/parallel_for.h"
 
@@ -171,8 +172,7 @@ CoarseFlow::at (int x, int y) const
   const float b = place (y, flow.rows, y0, y1);
   const cv::Vec2f* top = flow.ptr<cv::Vec2f> (y0);
   const cv::Vec2f* low = flow.ptr<cv::Vec2f> (y1);
-  return scale * ((1.0f - b) * ((1.0f - a) * top[x0] + a * top[x1]) +
-                  b * ((1.0f - a) * low[x0] + a * low[x1]));
+  return scale * bilinear (a, b, top[x0], top[x1], low[x0], low[x1]);
 }
 
 CoarseFlow

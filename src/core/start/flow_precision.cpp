@@ -2,14 +2,14 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/start/flow_precision.h"
 
+#include "core/base/opencv_threads.h"
+#include "core/base/order_statistics.h"
+#include "core/base/parallel_for.h"
+
 #include <Eigen/Eigenvalues>
 
 #include <opencv2/imgproc.hpp>
 
-#include "core/base/opencv_threads.h"
-#include "core/base/parallel_for.h"
-
-#include <algorithm>
 #include <cmath>
 
 namespace pcl_msf {
@@ -79,9 +79,7 @@ misfit (const std::vector<FlowMatch>& matches,
         rotation * Eigen::Vector3d (s.x, s.y, s.z) + pose.translation();
     distances.push_back ((project (camera, p) - Eigen::Vector2d (s.u, s.v)).norm());
   }
-  const auto middle = distances.begin() + (end - begin) / 2;
-  std::nth_element (distances.begin(), middle, distances.end());
-  return *middle;
+  return median (distances);
 }
 
 void

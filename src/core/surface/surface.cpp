@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/base/order_statistics.h"
 #include "core/base/parallel_for.h"
 #include "core/surface/point_tree.h"
 #include "core/surface/surface_normals.h"
@@ -47,9 +48,7 @@ medianOf (std::vector<float> values)
 {
   if (values.empty())
     return 0.0f;
-  const auto middle = values.begin() + values.size() / 2;
-  std::nth_element (values.begin(), middle, values.end());
-  return *middle;
+  return median (values);
 }
 
 /** Are two near points neighbours on one surface? Not through a thin part, not from one

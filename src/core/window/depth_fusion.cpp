@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/window/depth_fusion.h"
 
+#include "core/base/bilinear.h"
 #include "core/base/parallel_for.h"
 
 #include <cmath>
@@ -45,8 +46,7 @@ measuredAt (const cv::Mat& inverse_depth, float u, float v, float gate)
     return 0.0f;
   const float a = u - static_cast<float> (x);
   const float b = v - static_cast<float> (y);
-  return (1.0f - b) * ((1.0f - a) * w[0] + a * w[1]) +
-         b * ((1.0f - a) * w[2] + a * w[3]);
+  return bilinear (a, b, w[0], w[1], w[2], w[3]);
 }
 
 /** What a source changes about a point's inverse depth; NaN when it does not see it.

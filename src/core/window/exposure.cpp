@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/window/exposure.h"
 
+#include "core/base/bilinear.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -21,8 +23,7 @@ sample (const cv::Mat& image, double x, double y)
   const auto b = static_cast<float> (y - v);
   const float* upper = image.ptr<float> (v) + u;
   const float* lower = image.ptr<float> (v + 1) + u;
-  return (1.0f - b) * ((1.0f - a) * upper[0] + a * upper[1]) +
-         b * ((1.0f - a) * lower[0] + a * lower[1]);
+  return bilinear (a, b, upper[0], upper[1], lower[0], lower[1]);
 }
 
 double

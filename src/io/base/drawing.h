@@ -4,21 +4,23 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/export.h>
+
 #include <string>
 
 namespace pcl_msf::io {
 
 /** \brief An image as BGR; plain grey of the given size when it is empty. A copy. */
-cv::Mat
+PCL_MSF_EXPORT cv::Mat
 asBgr (const cv::Mat& image, const cv::Size& size);
 
 /** \brief An image as CV_8UC1. */
-cv::Mat
+PCL_MSF_EXPORT cv::Mat
 asGray (const cv::Mat& image);
 
 /** \brief Writes text in dark or light letters of about `height` pixels.
  * \param origin left end of the base line \return width of the text, pixels */
-int
+PCL_MSF_EXPORT int
 drawText (cv::Mat& picture,
           const std::string& text,
           const cv::Point& origin,
@@ -26,11 +28,11 @@ drawText (cv::Mat& picture,
           const cv::Scalar& color);
 
 /** \brief Width that `drawText` would take, pixels. */
-int
+PCL_MSF_EXPORT int
 textWidth (const std::string& text, int height);
 
 /** \brief A number for a person: three significant digits. */
-std::string
+PCL_MSF_EXPORT std::string
 shortNumber (double number);
 
 } // namespace pcl_msf::io

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/export.h>
+
 #include <cstdint>
 #include <fstream>
 #include <string>
@@ -10,7 +12,7 @@ namespace pcl_msf::io {
 
 /** \brief A file being read, whose every failure is an IoError naming file and field.
  */
-class InputFile {
+class PCL_MSF_EXPORT InputFile {
 public:
   /** \throws IoError when the path is no readable file */
   explicit InputFile (const std::string& path);
@@ -68,15 +70,15 @@ private:
 
 /** \brief Refuses image sizes that no sensor has, before anything is allocated.
  * \throws IoError naming file and field */
-void
+PCL_MSF_EXPORT void
 checkImageSize (const std::string& path, std::int64_t width, std::int64_t height);
 
 /** \brief Small letters for A to Z, in every locale (a Turkish one has others). */
-std::string
+PCL_MSF_EXPORT std::string
 lowerCase (std::string text);
 
 /** \brief Lower-case extension with the dot, e.g. ".png". */
-std::string
+PCL_MSF_EXPORT std::string
 lowerExtension (const std::string& path);
 
 } // namespace pcl_msf::io

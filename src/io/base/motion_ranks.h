@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/scene_flow.h>
 
 #include <vector>
@@ -12,7 +13,7 @@ namespace pcl_msf::io {
 
 /** \brief Motion groups in the order in which pictures colour them: the dominant one
  * first, the others by number of points. */
-class MotionRanks {
+class PCL_MSF_EXPORT MotionRanks {
 public:
   explicit MotionRanks (const SceneFlow& scene_flow);
 

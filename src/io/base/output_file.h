@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/export.h>
+
 #include <cstddef>
 #include <functional>
 #include <string>
@@ -13,12 +15,12 @@ namespace pcl_msf::io {
  *
  * \param path final name \param write writes the whole file to the name that it is
  * given \throws IoError when it cannot be written; the temporary file is removed */
-void
+PCL_MSF_EXPORT void
 writeThenRename (const std::string& path,
                  const std::function<void (const std::string&)>& write);
 
 /** \brief Writes one block of bytes that way. */
-void
+PCL_MSF_EXPORT void
 writeBytes (const std::string& path, const void* bytes, std::size_t size);
 
 } // namespace pcl_msf::io

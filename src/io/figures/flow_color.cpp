@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/base/order_statistics.h"
 #include <pcl_msf/io/flow_color.h>
 
 #include <algorithm>
@@ -85,9 +86,7 @@ flowLength (const cv::Mat& flow, double share)
   if (lengths.empty())
     return 0.0;
   const double last = static_cast<double> (lengths.size() - 1);
-  const auto nth = lengths.begin() + std::lround (std::clamp (share, 0.0, 1.0) * last);
-  std::nth_element (lengths.begin(), nth, lengths.end());
-  return *nth;
+  return nthSmallest (lengths, std::lround (std::clamp (share, 0.0, 1.0) * last));
 }
 
 cv::Mat

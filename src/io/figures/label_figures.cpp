@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include <pcl/common/colors.h>
-
 #include "io/base/drawing.h"
+#include "io/base/label_colors.h"
 #include "io/base/motion_ranks.h"
 #include <pcl_msf/io/figures.h>
 
@@ -15,14 +14,6 @@ namespace {
 constexpr double kOpacity = 0.55;
 
 cv::Vec3b
-labelColor (int label)
-{
-  const auto count = static_cast<int> (pcl::GlasbeyLUT::size());
-  const pcl::RGB& color = pcl::GlasbeyLUT::at (label % count);
-  return {color.b, color.g, color.r};
-}
-
-cv::Vec3b
 blend (const cv::Vec3b& under, const cv::Vec3b& over)
 {
   cv::Vec3b result;
@@ -30,15 +21,6 @@ blend (const cv::Vec3b& under, const cv::Vec3b& over)
     result[c] = cv::saturate_cast<unsigned char> ((1.0 - kOpacity) * under[c] +
                                                   kOpacity * over[c]);
   return result;
-}
-
-/** Does a boundary run between this pixel and its right or lower neighbour? */
-bool
-onBoundary (const cv::Mat& labels, int row, int col)
-{
-  const int label = labels.at<int> (row, col);
-  return (col + 1 < labels.cols && labels.at<int> (row, col + 1) != label) ||
-         (row + 1 < labels.rows && labels.at<int> (row + 1, col) != label);
 }
 
 cv::Mat

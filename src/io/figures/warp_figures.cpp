@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/base/bilinear.h"
 #include "io/base/drawing.h"
 #include <pcl_msf/io/figures.h>
 
@@ -14,8 +15,8 @@ namespace {
 const float kNan = std::numeric_limits<float>::quiet_NaN();
 
 /** Four pixels and their shares around a position, the border replicated. */
-struct Bilinear {
-  Bilinear (double u, double v, const cv::Size& size)
+struct Neighborhood {
+  Neighborhood (double u, double v, const cv::Size& size)
   {
     const double x = std::clamp (u, 0.0, size.width - 1.0);
     const double y = std::clamp (v, 0.0, size.height - 1.0);
@@ -26,25 +27,22 @@ struct Bilinear {
     s = x - col;
     t = y - row;
   }
-  double
-  operator() (double a, double b, double c, double d) const
-  {
-    return (1.0 - t) * ((1.0 - s) * a + s * b) + t * ((1.0 - s) * c + s * d);
-  }
   int col, row, next_col, next_row;
   double s, t;
 };
 
 double
-sample (const cv::Mat& image, const Bilinear& at, int channel)
+sample (const cv::Mat& image, const Neighborhood& at, int channel)
 {
   const int step = image.channels();
   const unsigned char* top = image.ptr (at.row);
   const unsigned char* bottom = image.ptr (at.next_row);
-  return at (top[at.col * step + channel],
-             top[at.next_col * step + channel],
-             bottom[at.col * step + channel],
-             bottom[at.next_col * step + channel]);
+  return bilinear<double, double> (at.s,
+                                   at.t,
+                                   top[at.col * step + channel],
+                                   top[at.next_col * step + channel],
+                                   bottom[at.col * step + channel],
+                                   bottom[at.next_col * step + channel]);
 }
 
 bool
@@ -65,7 +63,7 @@ warpToReference (const cv::Mat& current, const cv::Mat& flow)
       const auto& f = flow.at<cv::Vec2f> (row, col);
       if (!isKnown (f))
         continue;
-      const Bilinear at (col + f[0], row + f[1], current.size());
+      const Neighborhood at (col + f[0], row + f[1], current.size());
       unsigned char* pixel = warped.ptr (row) + col * warped.channels();
       for (int c = 0; c < warped.channels(); ++c)
         pixel[c] = cv::saturate_cast<unsigned char> (sample (current, at, c));
@@ -87,7 +85,7 @@ brightnessResidual (const cv::Mat& reference,
       const auto& f = flow.at<cv::Vec2f> (row, col);
       if (!isKnown (f))
         continue;
-      const Bilinear at (col + f[0], row + f[1], second.size());
+      const Neighborhood at (col + f[0], row + f[1], second.size());
       const double there = sample (second, at, 0);
       residual.at<float> (row, col) =
           static_cast<float> (std::abs (first.at<unsigned char> (row, col) - there));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/base/order_statistics.h"
 #include "io/base/json.h"
 #include "io/base/output_file.h"
 #include "io/base/tuning_json.h"
@@ -108,11 +109,7 @@ medianOf (const cv::Mat& image)
   for (std::size_t i = 0; i < image.total(); ++i)
     if (std::isfinite (image.ptr<float>()[i]))
       values.push_back (image.ptr<float>()[i]);
-  if (values.empty())
-    return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t> (values.size() / 2);
-  std::nth_element (values.begin(), middle, values.end());
-  return *middle;
+  return values.empty() ? 0.0 : median (values);
 }
 
 /** What is known of the errors; nothing of results that don't tell. */

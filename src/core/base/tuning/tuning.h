@@ -12,6 +12,7 @@
 #include "core/base/tuning/start_tuning.h"
 #include "core/base/tuning/surface_tuning.h"
 #include "core/base/tuning/window_tuning.h"
+#include <pcl_msf/export.h>
 
 #include <string>
 #include <utility>
@@ -39,30 +40,30 @@ struct Tuning {
 };
 
 /** \brief All values of a tuning by name, in the order of the data's way. */
-TunedValues
+PCL_MSF_EXPORT TunedValues
 tunedValues (Tuning& tuning);
 
 /** \brief The values that estimates from now on work with. */
-const Tuning&
+PCL_MSF_EXPORT const Tuning&
 currentTuning ();
 
 /** \brief Changes one of the current values, for experiments. To be called before
  * anything is estimated: not safe beside an estimate in another thread.
  * \param text a number, whole where the value is
  * \throws InvalidInput when there is no such name or the value is outside its range */
-void
+PCL_MSF_EXPORT void
 setTuning (const std::string& name, const std::string& text);
 
 /** \brief The number as text that reads back as the same. */
-std::string
+PCL_MSF_EXPORT std::string
 valueText (const TunedValue& value);
 
 /** \brief 16 hexadecimal digits that differ when a name or a value does. */
-std::string
+PCL_MSF_EXPORT std::string
 tuningHash (Tuning tuning);
 
 /** \brief Names and texts of the current values that are not the defaults. */
-std::vector<std::pair<std::string, std::string>>
+PCL_MSF_EXPORT std::vector<std::pair<std::string, std::string>>
 changedTuning ();
 
 } // namespace pcl_msf
