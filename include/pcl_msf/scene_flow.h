@@ -152,10 +152,10 @@ struct Report {
  * its residuals ask for another motion. A deviation of a point is the root of the mean
  * squared length of its error: the trace of J C J', plus the point's own depth noise,
  * plus the variance that comes from being measured at the wrong side of a depth step a
- * few pixels away, likely where a point is not found at the frame's surface. Means over
- * many scenes are right within a factor of about two; it is made to sort points, and to
- * be of use as a weight. Errors that a whole body shares without leaving residuals, as
- * a wrong camera, are not in it.
+ * few pixels away, likely where a point is not found at the frame's surface. On
+ * generated scenes they are half to twice the errors in the mean; they are made to sort
+ * points, and to be of use as weights. Errors that a whole body shares without leaving
+ * residuals, as a wrong camera's, are not in them.
  */
 struct PCL_MSF_EXPORT SceneFlow {
   PinholeCamera camera; ///< of the reference
