@@ -145,7 +145,7 @@ DataTerm::DataTerm (const SegmentPixels& pixels,
 , active_ (pixels.pixel.size(), 0)
 , frozen_ (pixels.segments())
 , quadratics_ (pixels.segments())
-, holds_ (pixels.segments(), 0)
+, holds_ (pixels.segments(), Holds::Nothing)
 {}
 
 kernel::Points
@@ -170,9 +170,9 @@ void
 DataTerm::evaluate (int k, const RigidPose& pose, Pass pass)
 {
   const bool renew = pass == Pass::Linearize;
-  if (renew && holds_[k] && frozen_[k].parameters == pose.parameters)
+  if (renew && holds_[k] != Holds::Nothing && frozen_[k].parameters == pose.parameters)
     return;
-  holds_[k] = renew;
+  holds_[k] = renew ? Holds::All : Holds::Nothing;
   if (renew)
     frozen_[k] = pose;
   const Eigen::Matrix3d rotation = pose.rotation();

@@ -95,7 +95,30 @@ public:
   void
   forget ()
   {
-    std::fill (holds_.begin(), holds_.end(), 0);
+    std::fill (holds_.begin(), holds_.end(), Holds::Nothing);
+  }
+
+  /** \brief Keeps all segments' sums ... */
+  void
+  rememberSums ()
+  {
+    remembered_ = quadratics_;
+    remembered_at_ = frozen_;
+  }
+  /** \brief ... and takes a segment back to them: its pose and sums, not its points'
+   * correspondences. */
+  void
+  recallSums (int segment)
+  {
+    quadratics_[segment] = remembered_[segment];
+    frozen_[segment] = remembered_at_[segment];
+    holds_[segment] = Holds::Sums;
+  }
+  /** \brief Lets the next sweep renew the segments that were taken back. */
+  void
+  completeSums ()
+  {
+    std::replace (holds_.begin(), holds_.end(), Holds::Sums, Holds::Nothing);
   }
 
   const SegmentQuadratic&
@@ -185,6 +208,8 @@ public:
   }
 
 private:
+  enum class Holds : char { Nothing, Sums, All };
+
   kernel::Points
   points (int segment) const;
   void
@@ -201,7 +226,9 @@ private:
   std::vector<std::uint8_t> active_;
   std::vector<RigidPose> frozen_; ///< per segment, pose of the last renewal
   std::vector<SegmentQuadratic> quadratics_;
-  std::vector<char> holds_; ///< per segment: linearized at its frozen pose
+  std::vector<SegmentQuadratic> remembered_;
+  std::vector<RigidPose> remembered_at_;
+  std::vector<Holds> holds_; ///< per segment: at its frozen pose
 };
 
 } // namespace pcl_msf

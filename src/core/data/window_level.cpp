@@ -136,4 +136,26 @@ WindowLevel::sweep (const WindowState& state, DataTerm::Pass pass)
     data_[p]->sweep (state.ofPair (p), pass);
 }
 
+void
+WindowLevel::rememberSums()
+{
+  for (const int p : scene_.used)
+    data_[p]->rememberSums();
+}
+
+void
+WindowLevel::recallSums (const std::vector<int>& segments)
+{
+  for (const int p : scene_.used)
+    for (const int k : segments)
+      data_[p]->recallSums (k);
+}
+
+void
+WindowLevel::completeSums()
+{
+  for (const int p : scene_.used)
+    data_[p]->completeSums();
+}
+
 } // namespace pcl_msf

@@ -90,6 +90,16 @@ public:
   void
   sweep (const WindowState& state, DataTerm::Pass pass);
 
+  /** \brief Keeps the sums of the last sweep; see DataTerm::rememberSums. */
+  void
+  rememberSums ();
+  /** \brief Takes segments back to the sums that were kept. */
+  void
+  recallSums (const std::vector<int>& segments);
+  /** \brief Lets the next sweep find the correspondences of segments taken back. */
+  void
+  completeSums ();
+
   /** \brief Weighs every frame's points of large bodies by how well they fit; see
    * body_noise.h. */
   void

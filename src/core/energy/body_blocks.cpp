@@ -22,7 +22,10 @@ BodyBlocks::addTo (ceres::Problem& problem, std::vector<RigidPose>& poses) const
 }
 
 void
-BodyBlocks::fill (const DataTerm& data, bool with_jacobians)
+BodyBlocks::fill (const DataTerm& data,
+                  const std::vector<RigidPose>& poses,
+                  const StepReach* reach,
+                  bool with_jacobians)
 {
   parallelFor (data.threads(), static_cast<int> (blocks_.size()), 32, [&] (int b) {
     Matrix6 information = Matrix6::Zero();
@@ -35,6 +38,8 @@ BodyBlocks::fill (const DataTerm& data, bool with_jacobians)
         gradient += data.of (k).gradient;
       }
     }
+    if (with_jacobians && reach)
+      reach->damp (b, poses[b], gradient, information);
     if (with_jacobians)
       blocks_[b].set (information, gradient, cost);
     else

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/energy/segment_block.h"
+#include "core/energy/step_reach.h"
 #include <ceres/problem.h>
 
 #include <vector>
@@ -19,9 +20,13 @@ public:
   void
   addTo (ceres::Problem& problem, std::vector<RigidPose>& poses) const;
 
-  /** \brief Sums the bodies' segments up after a sweep. */
+  /** \brief Sums the bodies' segments up after a sweep. \param poses per body, of the
+   * sweep \param reach damps the bodies; nullptr = undamped */
   void
-  fill (const DataTerm& data, bool with_jacobians);
+  fill (const DataTerm& data,
+        const std::vector<RigidPose>& poses,
+        const StepReach* reach,
+        bool with_jacobians);
 
 private:
   std::vector<std::vector<int>> segments_of_; ///< per body

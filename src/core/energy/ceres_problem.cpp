@@ -23,10 +23,13 @@ CeresProblem::CeresProblem (Energy& energy, WindowState& state)
 void
 CeresProblem::PrepareForEvaluation (bool evaluate_jacobians, bool)
 {
-  if (!linearized_)
+  // Jacobians are wanted where a step starts: Ceres asks for them again at its end.
+  const bool starts = linearized_;
+  if (!starts)
     energy_.level().sweep (state_, DataTerm::Pass::Linearize);
   linearized_ = false;
-  fill (evaluate_jacobians);
+  tried_ = state_.poses;
+  fill (evaluate_jacobians && starts);
 }
 
 /** In place, as the couplings point to them. */
@@ -44,8 +47,12 @@ void
 CeresProblem::fill (bool with_jacobians)
 {
   unpackPoses();
+  const std::vector<int>& used = energy_.level().used();
   for (std::size_t i = 0; i < blocks_.size(); ++i)
-    blocks_[i].fill (energy_.level().data (energy_.level().used()[i]), with_jacobians);
+    blocks_[i].fill (energy_.level().data (used[i]),
+                     state_.poses[used[i]],
+                     reach_ ? &(*reach_)[i] : nullptr,
+                     with_jacobians);
 }
 
 } // namespace pcl_msf

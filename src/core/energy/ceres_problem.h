@@ -30,12 +30,27 @@ public:
     return *problem_;
   }
 
-  /** \brief The data terms are linearized at the present state: the first evaluation
-   * need not sweep again. */
+  /** \brief The data terms are linearized at the present state: the next evaluation
+   * need not sweep. */
   void
   startsLinearized ()
   {
     linearized_ = true;
+  }
+
+  /** \brief Damps the bodies. \param reach per used pair; must outlive the problem */
+  void
+  setReach (const std::vector<StepReach>* reach)
+  {
+    reach_ = reach;
+  }
+
+  /** \brief The poses of the last evaluation: where a step led that Ceres may have
+   * refused. */
+  const std::vector<std::vector<RigidPose>>&
+  tried () const
+  {
+    return tried_;
   }
 
 protected:
@@ -52,6 +67,8 @@ private:
   WindowState& state_;
   std::vector<BodyBlocks> blocks_; ///< per used pair
   CoupledPoses poses_;             ///< of the state
+  const std::vector<StepReach>* reach_{nullptr};
+  std::vector<std::vector<RigidPose>> tried_;
   std::unique_ptr<ceres::Problem> problem_;
   bool linearized_{false};
 };

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <type_traits>
 
 namespace pcl_msf {
@@ -40,7 +41,7 @@ Energy::Energy (WindowLevel& level,
 , parameters_ (parameters)
 , concatenation_weight_ (concatenation_weight)
 , links_ (scene.frames.size())
-, segments_of_body_ (state.bodies(), 0)
+, segments_of_body_ (state.bodies())
 {
   bool adjacent = true;
   for (const int p : scene.used) {
@@ -52,8 +53,8 @@ Energy::Energy (WindowLevel& level,
               ? scene.links
               : carryLinks (scene, state.ofPair (scene.pairs.fromReference (from)));
   }
-  for (const int b : state.body_of)
-    ++segments_of_body_[b];
+  for (int k = 0; k < scene.segments; ++k)
+    segments_of_body_[state.body_of[k]].push_back (k);
   if (!adjacent)
     carryShapes (state);
 }
@@ -147,26 +148,53 @@ Energy::forEachConcatenation (State& state, const Visitor& visit) const
       for (const FramePairs::Step& step : steps)
         blocks.push_back (state.poses[step.pair][b].parameters.data());
       const double weight =
-          concatenation_weight_ * segments_of_body_[b] / scene_.segments;
-      visit (std::make_unique<ConcatenationCost> (
+          concatenation_weight_ *
+          static_cast<double> (segments_of_body_[b].size()) / scene_.segments;
+      visit (b,
+             std::make_unique<ConcatenationCost> (
                  shapes[b], inverse, std::sqrt (weight) * unit (shapes[b].center.z())),
              blocks);
     }
   }
 }
 
-double
-Energy::concatenationCost (const WindowState& state) const
+/** Per body. */
+std::vector<double>
+Energy::concatenationCosts (const WindowState& state) const
 {
-  double sum = 0.0;
-  forEachConcatenation (state,
-                        [&] (const std::unique_ptr<ConcatenationCost>& cost,
-                             const std::vector<const double*>& blocks) {
-                          Eigen::Matrix<double, 12, 1> residuals;
-                          cost->Evaluate (blocks.data(), residuals.data(), nullptr);
-                          sum += 0.5 * residuals.squaredNorm();
-                        });
-  return sum;
+  std::vector<double> sums (state.bodies(), 0.0);
+  if (concatenation_weight_ > 0.0)
+    forEachConcatenation (state,
+                          [&] (int body,
+                               const std::unique_ptr<ConcatenationCost>& cost,
+                               const std::vector<const double*>& blocks) {
+                            Eigen::Matrix<double, 12, 1> residuals;
+                            cost->Evaluate (blocks.data(), residuals.data(), nullptr);
+                            sums[body] += 0.5 * residuals.squaredNorm();
+                          });
+  return sums;
+}
+
+BodyCosts
+Energy::bodyCosts (const WindowState& state) const
+{
+  BodyCosts costs{concatenationCosts (state), 0.0};
+  for (const int p : scene_.used)
+    for (int k = 0; k < scene_.segments; ++k)
+      costs.of[state.body_of[k]] += level_.data (p).of (k).cost();
+  costs.total = std::accumulate (costs.of.begin(), costs.of.end(), 0.0);
+  const std::vector<double> differences = squaredDifferences (state);
+  const double share = 0.5 / std::max<std::size_t> (1, differences.size());
+  for (std::size_t i = 0; i < differences.size(); ++i) {
+    const double m = parameters_.regularizer_weight * differences[i];
+    const double eta = priorWeight();
+    const double cost =
+        share * scene_.links[i].strength * m * eta / std::max (m + eta, 1e-300);
+    costs.of[state.body_of[scene_.links[i].first]] += cost;
+    costs.of[state.body_of[scene_.links[i].second]] += cost;
+    costs.total += cost;
+  }
+  return costs;
 }
 
 EnergyCost
@@ -195,7 +223,9 @@ Energy::presentCost (const WindowState& state) const
     cost.regularizer += worth * parameters_.regularizer_weight * s * s * differences[i];
     cost.prior += worth * priorWeight() * (1.0 - s) * (1.0 - s);
   }
-  cost.concatenation = concatenationCost (state);
+  const std::vector<double> concatenations = concatenationCosts (state);
+  cost.concatenation =
+      std::accumulate (concatenations.begin(), concatenations.end(), 0.0);
   return cost;
 }
 
@@ -246,7 +276,7 @@ Energy::addTo (ceres::Problem& problem,
     addCouplings (problem, state, poses);
   if (concatenation_weight_ > 0.0)
     forEachConcatenation (
-        state, [&] (std::unique_ptr<ConcatenationCost> cost, const auto& blocks) {
+        state, [&] (int, std::unique_ptr<ConcatenationCost> cost, const auto& blocks) {
           problem.AddResidualBlock (cost.release(), nullptr, blocks);
         });
 }

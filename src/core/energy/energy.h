@@ -30,6 +30,12 @@ struct ResidualCounts {
   }
 };
 
+/** \brief The energy body by body. */
+struct BodyCosts {
+  std::vector<double> of; ///< per body; a link counts for both of its bodies
+  double total{0.0};      ///< of all; a link counts once
+};
+
 /** \brief The energy of Eq. 13 on one level: data terms and coupling of every pair,
  * weights and their prior shared, and the concatenation of non-adjacent pairs. With one
  * pair it is Eq. 5. */
@@ -73,6 +79,28 @@ public:
   ResidualCounts
   countResiduals () const;
 
+  /** \brief What the energy says of each body, from the data terms' last sums: those of
+   * its segments, its links at their best weights, its concatenation. */
+  BodyCosts
+  bodyCosts (const WindowState& state) const;
+
+  const std::vector<int>&
+  segmentsOf (int body) const
+  {
+    return segments_of_body_[body];
+  }
+  /** \brief The frame that a pair's points come from. */
+  int
+  frameOf (int pair) const
+  {
+    return scene_.pairs[pair].from;
+  }
+  const StepTuning&
+  stepTuning () const
+  {
+    return scene_.tuning.solve.step;
+  }
+
   WindowLevel&
   level ()
   {
@@ -92,12 +120,13 @@ private:
                 const CoupledPoses& poses) const;
   void
   carryShapes (const WindowState& state);
-  /** Calls visit (cost, parameter blocks) for every body and non-adjacent pair. */
+  /** Calls visit (body, cost, parameter blocks) for every body and non-adjacent pair.
+   */
   template <typename State, typename Visitor>
   void
   forEachConcatenation (State& state, const Visitor& visit) const;
-  double
-  concatenationCost (const WindowState& state) const;
+  std::vector<double>
+  concatenationCosts (const WindowState& state) const;
   std::vector<double>
   squaredDifferences (const WindowState& state) const;
 
@@ -106,7 +135,7 @@ private:
   const EnergyParameters& parameters_;
   double concatenation_weight_;
   std::vector<std::vector<SegmentLink>> links_; ///< per frame that a pair starts from
-  std::vector<int> segments_of_body_;           ///< how many
+  std::vector<std::vector<int>> segments_of_body_;
   std::vector<std::vector<BodyShape>> shapes_;  ///< per frame, per body; empty when
                                                 ///< all pairs are adjacent
 };

@@ -8,12 +8,17 @@ void
 listValues (SolveTuning& tuning, TunedValues& values)
 {
   NoiseTuning& noise = tuning.noise;
+  StepTuning& step = tuning.step;
   const TunedValues own{
       {"solve.noise.least_intensity", &noise.least_intensity, 1e-6, 1},
       {"solve.noise.model_error", &noise.model_error, 0, 100},
       {"solve.noise.relative_depth", &noise.relative_depth, 0, 1},
       {"solve.noise.brightness_area", &noise.brightness_area, 1, 1e6},
       {"solve.noise.icp_area", &noise.icp_area, 1, 1e6},
+      {"solve.step.reach", &step.reach, 1e-3, 1e3},
+      {"solve.step.shrink", &step.shrink, 1e-3, 1},
+      {"solve.step.grow", &step.grow, 1, 100},
+      {"solve.step.least", &step.least, 1e-6, 1},
       {"solve.coarsest_level", &tuning.coarsest_level, 0, 10},
       {"solve.spreads", &tuning.spreads, 0, 100},
       {"solve.enough_jumps", &tuning.enough_jumps, 0, 1},

@@ -18,9 +18,19 @@ struct NoiseTuning {
   double icp_area{200.0};       ///< they are measured
 };
 
+/** \brief How far a step goes; see "Each body takes its part of a step" in
+ * DECISIONS.md. */
+struct StepTuning {
+  double reach{2.0};  ///< pixels of the level: more goes where images are not linear
+  double shrink{0.3}; ///< factor after a step that a body lost by
+  double grow{1.5};   ///< and after one that it gained by
+  double least{0.02}; ///< share of the reach
+};
+
 /** \brief Values of the schedule. */
 struct SolveTuning {
   NoiseTuning noise;
+  StepTuning step;
   int coarsest_level{2}; ///< the first solve of two frames
   int spreads{2};        ///< how often motions spread there from segment to segment;
                          ///< see "Motions spread at the coarsest level" in
