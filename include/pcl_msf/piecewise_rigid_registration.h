@@ -7,6 +7,7 @@
 #include <pcl_msf/impl/independent_registration.h>
 #include <pcl_msf/impl/neighbor_registration.h>
 #include <pcl_msf/impl/point_selection.h>
+#include <pcl_msf/impl/registration_steps.h>
 #include <pcl_msf/lazy_kd_tree.h>
 #include <pcl_msf/multiframe_estimator.h>
 #include <pcl_msf/registration_settings.h>
@@ -16,12 +17,6 @@
 #include <vector>
 
 namespace pcl_msf {
-
-namespace detail {
-/** An empty result. */
-PCL_MSF_EXPORT const SceneFlow&
-noSceneFlow ();
-} // namespace detail
 
 /** \brief Piecewise-rigid registration of organized RGB-D clouds: one rigid motion per
  * segment of the source to one target (Eq. 5) or to each of several, solved jointly

@@ -16,7 +16,8 @@ endfunction ()
 set (common -G ${GENERATOR} -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${COMPILER}
   -DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER})
 run (${CMAKE_COMMAND} -S ${SOURCE} -B ${BUILD}/libraries ${common}
-  -DBUILD_SHARED_LIBS=ON -DPCL_MSF_BUILD_TESTS=OFF)
+  -DCMAKE_CXX_FLAGS_RELEASE=-O0 -DBUILD_SHARED_LIBS=ON
+  -DPCL_MSF_BUILD_TESTS=OFF)
 run (${CMAKE_COMMAND} --build ${BUILD}/libraries)
 run (${CMAKE_COMMAND} --install ${BUILD}/libraries --prefix ${BUILD}/prefix)
 run (${CMAKE_COMMAND} -S ${CONSUMER} -B ${BUILD}/consumer ${common}

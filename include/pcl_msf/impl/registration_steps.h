@@ -31,6 +31,10 @@ struct CloudImages {
   cv::Mat color;  ///< as from colorImage
 };
 
+/** An empty result. */
+PCL_MSF_EXPORT const SceneFlow&
+noSceneFlow ();
+
 /** A target's name in messages: by its number, from 1, when there are several. */
 PCL_MSF_EXPORT std::string
 targetName (std::size_t target, std::size_t targets);

@@ -5,6 +5,7 @@
 #include <vtkActor.h>
 #include <vtkSmartPointer.h>
 
+#include <pcl_msf/export.h>
 #include <pcl_msf/visualization/scene.h>
 
 #include <vector>
@@ -14,16 +15,16 @@ namespace pcl_msf::visualization {
 /** \brief Points as vertices, and their triangles; null when the set has none. \param
  * pixels size of each \param behind moves them back a little, so that arrows and lines
  * on them are seen \throws InvalidInput when the images do not fit */
-vtkSmartPointer<vtkActor>
+PCL_MSF_EXPORT vtkSmartPointer<vtkActor>
 pointActor (const PointSet& set, double pixels, bool behind);
 
 /** \brief Arrows as lit solids; null without arrows. */
-vtkSmartPointer<vtkActor>
+PCL_MSF_EXPORT vtkSmartPointer<vtkActor>
 arrowActor (const std::vector<Arrow>& arrows);
 
 /** \brief Polylines; null without lines. \param pixels their width \param behind moves
  * them back a little, so that lines in the same place are seen */
-vtkSmartPointer<vtkActor>
+PCL_MSF_EXPORT vtkSmartPointer<vtkActor>
 lineActor (const std::vector<Polyline>& lines, double pixels, bool behind);
 
 } // namespace pcl_msf::visualization
