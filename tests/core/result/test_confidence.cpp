@@ -126,6 +126,8 @@ TEST (Confidence, StepsInMotionAreDoubtfulMostWhereNothingIsSeen)
   FewPoints few;
   few.tuning_.across = 0.04;
   few.tuning_.across_unseen = 1.0;
+  few.scene_.segments.resize (2); // the second has another motion
+  few.scene_.labels.at<int> (0, 2) = 1;
   few.scene_.flow.at<cv::Vec2f> (0, 2) = {6.0f, 2.0f}; // 5 px from the others
   few.scene_.visibility.at<unsigned char> (0, 2) = Occluded;
   const SceneFlow& scene = few.filled (1e-18 * Matrix6::Identity(), 0.0);

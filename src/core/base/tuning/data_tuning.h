@@ -8,8 +8,8 @@ namespace pcl_msf {
 
 /** \brief What residuals that are not compared cost, as misfits of so many deviations:
  * hidden ones less than a wrong match and more than a right one. More drives segments
- * to where they are seen, less hides them; see "Hidden points cost, less with a
- * vouching neighbour" in DECISIONS.md. */
+ * to where they are seen, less hides them; see "Hidden points cost, less beside a
+ * visible neighbour" in DECISIONS.md. */
 struct MissingTuning {
   double wrong_match{4.0}; ///< also the limit of a probe's residuals
   double no_depth{3.0};
