@@ -93,12 +93,15 @@ WindowSolve::pairSchedule (int finest_level) const
 {
   std::vector<Round> rounds;
   const int finest = std::min (finest_level, levels_ - 1);
-  for (int level = std::min (scene_.tuning.solve.coarsest_level, levels_ - 1);
-       level >= finest;
-       --level) {
+  const int coarsest = std::min (scene_.tuning.solve.coarsest_level, levels_ - 1);
+  const int few = std::min (user_.max_iterations, scene_.tuning.solve.later_iterations);
+  for (int level = coarsest; level >= finest; --level) {
     const double begin = level == 0 ? 0.5 : 0.5 - 0.15 * level;
-    Round round{
-        "solve", level, begin, begin + (level == 0 ? 0.3 : 0.15), user_.max_iterations};
+    Round round{"solve",
+                level,
+                begin,
+                begin + (level == 0 ? 0.3 : 0.15),
+                level == coarsest ? user_.max_iterations : few};
     round.propose = round.merge = level < scene_.tuning.solve.coarsest_level;
     rounds.push_back (round);
     if (level == scene_.tuning.solve.coarsest_level)
@@ -107,12 +110,7 @@ WindowSolve::pairSchedule (int finest_level) const
   if (finest > 0)
     return rounds;
   if (user_.merge_bodies) {
-    rounds.push_back (
-        {"bodies",
-         0,
-         0.8,
-         1.0,
-         std::min (user_.max_iterations, scene_.tuning.solve.later_iterations)});
+    rounds.push_back ({"bodies", 0, 0.8, 1.0, few});
     rounds.back().anew = false;
     rounds.back().rescale_noise = true;
   }

@@ -240,4 +240,36 @@ TEST (DataTerm, SameBitsForAnyNumberOfThreads)
   }
 }
 
+TEST (DataTerm, SegmentsGoBackToTheSumsThatWereKept)
+{
+  cv::Mat labels (kSize, kSize, CV_32SC1, cv::Scalar (0));
+  labels.colRange (kSize / 2, kSize).setTo (1);
+  const SegmentPixels pixels =
+      test::pointsOf (bumps (0.3), labels, 2, NoiseModel{}, 0.4);
+  const Texture texture (bumps (0.5));
+  DataTerm data (pixels, texture, makeRules ({}, pixels, {}), 1);
+  const MotionState before = MotionState::fromSegments (std::vector<RigidPose> (2), 0);
+  MotionState after = before;
+  for (RigidPose& pose : after.poses)
+    pose.parameters[3] = 0.1;
+  data.sweep (before, Pass::Linearize);
+  const SegmentQuadratic kept = data.of (0);
+  const std::vector<std::uint8_t> active = data.active();
+  data.rememberSums();
+  data.sweep (after, Pass::Linearize);
+  const SegmentQuadratic other = data.of (1);
+  ASSERT_NE (data.of (0).cost(), kept.cost());
+  data.recallSums (0);
+  EXPECT_EQ (data.of (0).information, kept.information);
+  EXPECT_EQ (data.of (0).gradient, kept.gradient);
+  EXPECT_EQ (data.of (0).cost(), kept.cost());
+  EXPECT_EQ (data.frozenPose (0).parameters, before.poses[0].parameters);
+  EXPECT_EQ (data.of (1).information, other.information);
+  // Correspondences come back with the next sweep after completeSums.
+  data.completeSums();
+  data.sweep (before, Pass::Linearize);
+  EXPECT_EQ (data.active(), active);
+  EXPECT_EQ (data.of (0).information, kept.information);
+}
+
 } // namespace

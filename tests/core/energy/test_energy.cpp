@@ -5,6 +5,7 @@
 #include "core/energy/minimize.h"
 #include "support/autodiff_energy.h"
 #include "support/kept_problem.h"
+#include "support/two_planes.h"
 #include "support/window_scene.h"
 #include <ceres/rotation.h>
 
@@ -16,23 +17,6 @@ namespace {
 using namespace pcl_msf;
 
 constexpr double kLambda = 3.0;
-
-/** Two slanted planes that move apart. */
-test::AnalyticScene
-twoPlanes ()
-{
-  test::AnalyticScene s;
-  s.camera = {45.0, 44.0, 23.0, 19.5};
-  s.width = 48;
-  s.height = 40;
-  s.quads.push_back ({{-2.0, -2.0, 1.7}, {1.95, 0, 0.5}, {0, 4, 0.6}, 0, 0.4});
-  s.quads.push_back ({{0.0, -2.0, 2.1}, {3, 0, -0.7}, {0, 4, -0.3}, 1, 2.9});
-  s.motions.push_back (
-      test::turnAbout ({-0.7, 0, 2.2}, {0.01, 0.012, -0.02}, {-0.04, 0.01, -0.01}));
-  s.motions.push_back (
-      test::turnAbout ({0.8, 0, 1.9}, {-0.01, 0.02, 0.01}, {0.01, 0.03, 0.012}));
-  return s;
-}
 
 EnergyParameters
 energyParameters ()
@@ -48,7 +32,7 @@ protected:
   void
   make (int frames, int reference)
   {
-    scene_ = std::make_unique<test::EnergyWindow> (twoPlanes(), frames, reference);
+    scene_ = std::make_unique<test::EnergyWindow> (test::twoPlanes(), frames, reference);
     level_ =
         std::make_unique<WindowLevel> (scene_->window, 0, scene_->labels, parameters_);
     energy_ = std::make_unique<Energy> (

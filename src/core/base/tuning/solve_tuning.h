@@ -37,7 +37,7 @@ struct SolveTuning {
                          ///< DECISIONS.md
   double enough_jumps{0.05}; ///< of the segments, for another solve
   int start_level{1};        ///< poses are compared at half resolution; less is slower
-  int later_iterations{4};   ///< of a round after the first at the finest level
+  int later_iterations{4};   ///< of a round after the coarsest level's
   double tolerance_share{0.1}; ///< of the user's tolerance, in a window: a pair alone
                                ///< changes a sum of pairs little
 };
