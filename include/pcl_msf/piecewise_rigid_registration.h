@@ -102,8 +102,8 @@ namespace pcl_msf {
  * getSearchMethodSource, see LazyKdTree. An object can be used again and again; it is
  * not safe to use one from two threads at once, different ones are independent.
  *
- * Instantiated for PointXYZ, PointXYZI, PointXYZRGB, PointXYZRGBA and
- * PointXYZRGBNormal; for other types define PCL_NO_PRECOMPILE before including PCL's
+ * Instantiated for PointXYZ, PointXYZI, PointXYZRGB, PointXYZRGBA, PointNormal,
+ * PointXYZINormal and PointXYZRGBNormal; for other types define PCL_NO_PRECOMPILE before including PCL's
  * headers, as for PCL. Code compiled with -march=native, -mavx2 and the like gets
  * instances of its own, see build_compatibility.h.
  */
@@ -330,6 +330,8 @@ extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZ>;
 extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZI>;
 extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZRGB>;
 extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZRGBA>;
+extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointNormal>;
+extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZINormal>;
 extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZRGBNormal>;
 } // namespace pcl_msf
 #endif

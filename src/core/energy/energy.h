@@ -95,6 +95,11 @@ public:
   {
     return scene_.pairs[pair].from;
   }
+  int
+  threads () const
+  {
+    return scene_.threads;
+  }
   const StepTuning&
   stepTuning () const
   {

@@ -4,12 +4,15 @@
 
 #include "core/energy/sparse_cholesky.h"
 
+#include <cmath>
+#include <limits>
+
 namespace pcl_msf {
 
 namespace {
 
 ceres::Solver::Options
-oneStep (const SolverParameters& solver)
+oneStep (const SolverParameters& solver, int threads)
 {
   ceres::Solver::Options options;
   options.minimizer_type = ceres::TRUST_REGION;
@@ -21,11 +24,13 @@ oneStep (const SolverParameters& solver)
   options.preconditioner_type = ceres::JACOBI;
   options.eta = 0.1;
   options.max_num_iterations = 1;
-  options.function_tolerance = 0.0; // judged when the bodies have taken their parts
-  options.parameter_tolerance = solver.parameter_tolerance;
+  // Ceres proposes; what is taken is judged here.
+  options.min_relative_decrease = std::numeric_limits<double>::max();
+  options.function_tolerance = 0.0;
+  options.parameter_tolerance = 0.0;
   options.gradient_tolerance = 0.0;
   options.logging_type = ceres::SILENT;
-  options.num_threads = 1; // the sweep is parallel; the rest is small
+  options.num_threads = threads;
   return options;
 }
 
@@ -51,7 +56,8 @@ JointDescent::JointDescent (Energy& energy,
 , state_ (state)
 , reach_ (reachOf (energy, state))
 , problem_ (energy, state)
-, options_ (oneStep (solver))
+, options_ (oneStep (solver, energy.threads()))
+, parameter_tolerance_ (solver.parameter_tolerance)
 , costs_ (energy.bodyCosts (state))
 {
   problem_.setReach (&reach_);
@@ -67,10 +73,10 @@ JointDescent::step (double seconds_left)
   ceres::Solver::Summary summary;
   ceres::Solve (options_, &problem_.problem(), &summary);
   failed_ = summary.termination_type == ceres::FAILURE;
-  converged_ = summary.termination_type == ceres::CONVERGENCE;
   state_.poses = problem_.tried();
   keepGains (before);
   energy_.relaxWeights (state_);
+  converged_ = hardlyMoved (before);
   const BodyCosts now = energy_.bodyCosts (state_);
   if (now.total < costs_.total) {
     costs_ = now;
@@ -80,6 +86,23 @@ JointDescent::step (double seconds_left)
   for (int b = 0; b < state_.bodies(); ++b)
     energy_.level().recallSums (energy_.segmentsOf (b));
   return false;
+}
+
+/** |dx| <= tolerance |x|, as Ceres' criterion. */
+bool
+JointDescent::hardlyMoved (const WindowState& before) const
+{
+  double change = 0.0;
+  double size = 0.0;
+  for (std::size_t p = 0; p < state_.poses.size(); ++p)
+    for (std::size_t b = 0; b < state_.poses[p].size(); ++b)
+      for (int i = 0; i < 6; ++i) {
+        const double x = before.poses[p][b].parameters[i];
+        change += std::pow (state_.poses[p][b].parameters[i] - x, 2);
+        size += x * x;
+      }
+  return std::sqrt (change) <=
+         parameter_tolerance_ * (std::sqrt (size) + parameter_tolerance_);
 }
 
 /** Bodies whose cost has not fallen, or is not a number, go back. */

@@ -37,7 +37,7 @@ public:
   {
     return failed_;
   }
-  /** \brief No step is left that Ceres takes for one. */
+  /** \brief The last step changed the poses by less than the parameter tolerance. */
   bool
   converged () const
   {
@@ -47,12 +47,15 @@ public:
 private:
   void
   keepGains (const WindowState& before);
+  bool
+  hardlyMoved (const WindowState& before) const;
 
   Energy& energy_;
   WindowState& state_;
   std::vector<StepReach> reach_; ///< per used pair
   CeresProblem problem_;
   ceres::Solver::Options options_;
+  double parameter_tolerance_;
   BodyCosts costs_; ///< at the state
   bool failed_{false};
   bool converged_{false};

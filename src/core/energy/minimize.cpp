@@ -40,8 +40,8 @@ minimize (Energy& energy,
     ++outcome.iterations;
     outcome.failed = descent.failed();
     outcome.converged =
-        descent.converged() ||
-        (lower && before - descent.cost() <= solver.function_tolerance * before);
+        lower && (descent.converged() ||
+                  before - descent.cost() <= solver.function_tolerance * before);
     if (lower)
       monitor.noteTerms (energy.presentCost (state));
     go_on = monitor.step (descent.cost()) && !outcome.converged && !outcome.failed;

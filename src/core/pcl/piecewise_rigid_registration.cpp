@@ -12,6 +12,8 @@ template class PiecewiseRigidRegistration<pcl::PointXYZ>;
 template class PiecewiseRigidRegistration<pcl::PointXYZI>;
 template class PiecewiseRigidRegistration<pcl::PointXYZRGB>;
 template class PiecewiseRigidRegistration<pcl::PointXYZRGBA>;
+template class PiecewiseRigidRegistration<pcl::PointNormal>;
+template class PiecewiseRigidRegistration<pcl::PointXYZINormal>;
 template class PiecewiseRigidRegistration<pcl::PointXYZRGBNormal>;
 
 } // namespace pcl_msf

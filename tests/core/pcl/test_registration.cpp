@@ -283,4 +283,48 @@ TEST_F (RegistrationTest, TakesLabelsClustersNormalsAndAGuess)
   EXPECT_EQ (registration_->getReport().message, "");
 }
 
+/** The pair as clouds of another type, aligned; its displacements, and what they are
+ * of. */
+template <typename PointT>
+SceneFlow
+alignedAs ()
+{
+  PiecewiseRigidRegistration<PointT> registration;
+  const auto source = pcl::make_shared<pcl::PointCloud<PointT>>();
+  const auto target = pcl::make_shared<pcl::PointCloud<PointT>>();
+  pcl::copyPointCloud (*RigidPair::reference(), *source);
+  pcl::copyPointCloud (*RigidPair::current(), *target);
+  if constexpr (pcl::traits::has_intensity<PointT>::value)
+    for (const auto& [to, from] :
+         {std::pair (source, RigidPair::reference()), {target, RigidPair::current()}})
+      for (std::size_t i = 0; i < from->size(); ++i)
+        (*to)[i].intensity = static_cast<float> ((*from)[i].g) / 255.0f;
+  registration.setInputSource (source);
+  registration.setInputTarget (target);
+  pcl::PointCloud<PointT> warped;
+  registration.align (warped);
+  EXPECT_TRUE (registration.hasConverged());
+  return registration.getSceneFlow();
+}
+
+double
+largestDifference (const SceneFlow& a, const SceneFlow& b)
+{
+  cv::Mat difference;
+  cv::absdiff (a.displacement, b.displacement, difference);
+  cv::patchNaNs (difference, 0.0);
+  double largest = 0.0;
+  cv::minMaxLoc (difference.reshape (1), nullptr, &largest);
+  return largest;
+}
+
+TEST (RegistrationTypes, NormalsInThePointsChangeNothing)
+{
+  const SceneFlow plain = alignedAs<pcl::PointXYZ>();
+  const SceneFlow grey = alignedAs<pcl::PointXYZI>();
+  EXPECT_EQ (largestDifference (alignedAs<pcl::PointNormal>(), plain), 0.0);
+  EXPECT_EQ (largestDifference (alignedAs<pcl::PointXYZINormal>(), grey), 0.0);
+  EXPECT_GT (largestDifference (plain, grey), 0.0);
+}
+
 } // namespace
