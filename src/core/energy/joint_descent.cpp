@@ -74,18 +74,34 @@ JointDescent::step (double seconds_left)
   ceres::Solve (options_, &problem_.problem(), &summary);
   failed_ = summary.termination_type == ceres::FAILURE;
   state_.poses = problem_.tried();
-  keepGains (before);
-  energy_.relaxWeights (state_);
-  converged_ = hardlyMoved (before);
-  const BodyCosts now = energy_.bodyCosts (state_);
-  if (now.total < costs_.total) {
-    costs_ = now;
-    return true;
+  const BodyCosts whole = energy_.bodyCosts (state_);
+  keepGains (before, whole);
+  BodyCosts now = energy_.bodyCosts (state_);
+  if (whole.total < now.total) { // bodies that are tied gain together
+    state_.poses = problem_.tried();
+    energy_.level().sweep (state_, DataTerm::Pass::Linearize);
+    now = whole;
   }
+  converged_ = hardlyMoved (before);
+  if (!(now.total < costs_.total)) {
+    goBack (before);
+    return false;
+  }
+  energy_.relaxWeights (state_);
+  costs_ = now;
+  return true;
+}
+
+/** All bodies, which are trusted less far. */
+void
+JointDescent::goBack (const WindowState& before)
+{
   state_ = before;
-  for (int b = 0; b < state_.bodies(); ++b)
+  for (int b = 0; b < state_.bodies(); ++b) {
     energy_.level().recallSums (energy_.segmentsOf (b));
-  return false;
+    for (StepReach& reach : reach_)
+      reach.learn (b, false);
+  }
 }
 
 /** |dx| <= tolerance |x|, as Ceres' criterion. */
@@ -107,9 +123,8 @@ JointDescent::hardlyMoved (const WindowState& before) const
 
 /** Bodies whose cost has not fallen, or is not a number, go back. */
 void
-JointDescent::keepGains (const WindowState& before)
+JointDescent::keepGains (const WindowState& before, const BodyCosts& tried)
 {
-  const BodyCosts tried = energy_.bodyCosts (state_);
   for (int b = 0; b < state_.bodies(); ++b) {
     const bool gained = tried.of[b] <= costs_.of[b];
     for (StepReach& reach : reach_)

@@ -15,8 +15,8 @@ namespace pcl_msf {
 /** \brief Minimizes the energy (section 3.2) by joint steps, which Ceres computes for all
  * bodies together. A body takes its part of a step when that lowers what the energy says
  * of it, its data terms and what ties it to others; else it stays, and is trusted less
- * far. So bodies that are lost do not hold up those that are found; see "Each body takes
- * its part of a step" in DECISIONS.md. */
+ * far. All take the step when that is better. So bodies that are lost do not hold up
+ * those that are found; see "Each body takes its part of a step" in DECISIONS.md. */
 class JointDescent {
 public:
   /** \param state linearized by the energy; changed by each step */
@@ -46,7 +46,9 @@ public:
 
 private:
   void
-  keepGains (const WindowState& before);
+  keepGains (const WindowState& before, const BodyCosts& tried);
+  void
+  goBack (const WindowState& before);
   bool
   hardlyMoved (const WindowState& before) const;
 
