@@ -87,8 +87,10 @@ struct Progress {
 };
 
 struct PCL_MSF_EXPORT SolverParameters {
-  int max_iterations{6};            ///< Levenberg-Marquardt steps per level, fewer on fine ones, >= 0
-  double function_tolerance{5e-3};  ///< stop when a step lowers E by less than this share, >= 0
+  int max_iterations{
+      6}; ///< Levenberg-Marquardt steps per level, fewer on fine ones, >= 0
+  double function_tolerance{
+      5e-3}; ///< stop when a step lowers E by less than this share, >= 0
   double parameter_tolerance{1e-7}; ///< stop when |dx| < tolerance |x|, >= 0
   double max_seconds{0.0};          ///< time budget of a registration, 0 = none
   LinearSolver linear_solver{LinearSolver::Cgnr};

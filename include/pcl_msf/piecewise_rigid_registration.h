@@ -103,9 +103,9 @@ namespace pcl_msf {
  * not safe to use one from two threads at once, different ones are independent.
  *
  * Instantiated for PointXYZ, PointXYZI, PointXYZRGB, PointXYZRGBA, PointNormal,
- * PointXYZINormal and PointXYZRGBNormal; for other types define PCL_NO_PRECOMPILE before including PCL's
- * headers, as for PCL. Code compiled with -march=native, -mavx2 and the like gets
- * instances of its own, see build_compatibility.h.
+ * PointXYZINormal and PointXYZRGBNormal; for other types define PCL_NO_PRECOMPILE
+ * before including PCL's headers, as for PCL. Code compiled with -march=native, -mavx2
+ * and the like gets instances of its own, see build_compatibility.h.
  */
 template <typename PointT>
 class PiecewiseRigidRegistration : public detail::IndependentRegistration<PointT>,

@@ -147,9 +147,9 @@ Energy::forEachConcatenation (State& state, const Visitor& visit) const
       std::vector<Block> blocks{state.poses[p][b].parameters.data()};
       for (const FramePairs::Step& step : steps)
         blocks.push_back (state.poses[step.pair][b].parameters.data());
-      const double weight =
-          concatenation_weight_ *
-          static_cast<double> (segments_of_body_[b].size()) / scene_.segments;
+      const double weight = concatenation_weight_ *
+                            static_cast<double> (segments_of_body_[b].size()) /
+                            scene_.segments;
       visit (b,
              std::make_unique<ConcatenationCost> (
                  shapes[b], inverse, std::sqrt (weight) * unit (shapes[b].center.z())),

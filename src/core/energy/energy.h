@@ -141,8 +141,8 @@ private:
   double concatenation_weight_;
   std::vector<std::vector<SegmentLink>> links_; ///< per frame that a pair starts from
   std::vector<std::vector<int>> segments_of_body_;
-  std::vector<std::vector<BodyShape>> shapes_;  ///< per frame, per body; empty when
-                                                ///< all pairs are adjacent
+  std::vector<std::vector<BodyShape>> shapes_; ///< per frame, per body; empty when
+                                               ///< all pairs are adjacent
 };
 
 } // namespace pcl_msf

@@ -12,17 +12,18 @@
 
 namespace pcl_msf {
 
-/** \brief Minimizes the energy (section 3.2) by joint steps, which Ceres computes for all
- * bodies together. A body takes its part of a step when that lowers what the energy says
- * of it, its data terms and what ties it to others; else it stays, and is trusted less
- * far. All take the step when that is better. So bodies that are lost do not hold up
- * those that are found; see "Each body takes its part of a step" in DECISIONS.md. */
+/** \brief Minimizes the energy (section 3.2) by joint steps, which Ceres computes for
+ * all bodies together. A body takes its part of a step when that lowers what the energy
+ * says of it, its data terms and what ties it to others; else it stays, and is trusted
+ * less far. All take the step when that is better. So bodies that are lost do not hold
+ * up those that are found; see "Each body takes its part of a step" in DECISIONS.md. */
 class JointDescent {
 public:
   /** \param state linearized by the energy; changed by each step */
   JointDescent (Energy& energy, const SolverParameters& solver, WindowState& state);
 
-  /** \brief One step. \return did it lower the energy? Otherwise the state is as it was.
+  /** \brief One step. \return did it lower the energy? Otherwise the state is as it
+   * was.
    */
   bool
   step (double seconds_left);

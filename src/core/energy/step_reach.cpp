@@ -2,9 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/energy/step_reach.h"
 
-#include "core/motion/motion_state.h"
-
 #include <Eigen/Cholesky>
+
+#include "core/motion/motion_state.h"
 
 #include <algorithm>
 #include <cmath>

@@ -32,7 +32,8 @@ protected:
   void
   make (int frames, int reference)
   {
-    scene_ = std::make_unique<test::EnergyWindow> (test::twoPlanes(), frames, reference);
+    scene_ =
+        std::make_unique<test::EnergyWindow> (test::twoPlanes(), frames, reference);
     level_ =
         std::make_unique<WindowLevel> (scene_->window, 0, scene_->labels, parameters_);
     energy_ = std::make_unique<Energy> (

@@ -94,8 +94,8 @@ TEST (StepReach, LongStepsEndWithinReach)
   for (int seed = 0; seed < 20; ++seed)
     for (const double pixels : {3.0, 10.0, 100.0}) {
       const Sums sums = randomSums (seed);
-      const Vector6 gradient = pixels * sums.gradient /
-                               motionOfStep (sums.information, sums.gradient);
+      const Vector6 gradient =
+          pixels * sums.gradient / motionOfStep (sums.information, sums.gradient);
       Matrix6 damped = sums.information;
       reach.damp (0, kPose, gradient, damped);
       const double motion = motionOfStep (damped, gradient);
