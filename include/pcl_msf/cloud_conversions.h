@@ -58,8 +58,8 @@ depthImage (const cv::Mat& points);
  * below. So neither a few highlights nor pixels without a measurement have a say, and
  * images up to 1 and up to 255 keep those units. \param[in] images CV_32FC1, any unit;
  * values that are not finite or not positive don't count. \return 1 when one is of
- * another type or empty \throws InvalidInput when one image is in shares of 1, another in
- * tens or hundreds: no exposure explains that */
+ * another type or empty \throws InvalidInput when one image is in shares of 1, another
+ * in tens or hundreds: no exposure explains that */
 PCL_MSF_EXPORT double
 intensityUnit (const std::vector<cv::Mat*>& images);
 

@@ -174,7 +174,7 @@ struct PCL_MSF_EXPORT SceneFlow {
 
   std::vector<SegmentMotion> segments;
   std::vector<GroupMotion> group_motions; ///< element g: segments with group = g
-  std::vector<SegmentPair> pairs; ///< first < second
+  std::vector<SegmentPair> pairs;         ///< first < second
   union {
     int groups{0}; ///< number of motion groups
     [[deprecated ("use groups")]] int bodies;

@@ -139,7 +139,8 @@ TEST (SegmentErrors, GroupsAreHeldAgainstTheBodyOfMostOfTheirPoints)
   SceneFlow flow = twoSegments();
   flow.group_motions.resize (1);
   flow.segments[0].group = flow.segments[1].group = 0;
-  flow.group_motions[0].current_from_reference = flow.segments[0].current_from_reference;
+  flow.group_motions[0].current_from_reference =
+      flow.segments[0].current_from_reference;
   flow.group_motions[0].information (3, 3) = 1e6; // off by two millimetres
   const std::vector<std::optional<RigidPose>> bodies{pose ({0, 0, 0}, {1, 0, 0}), {}};
   const cv::Mat labels = partition ({0, 0, 0, 1}); // the soft one has fewer points

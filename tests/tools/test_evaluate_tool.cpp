@@ -75,8 +75,9 @@ protected:
 
 TEST_F (EvaluateTool, ScoresAllMethodsAndOursIsAhead)
 {
-  const ToolRun r = run (kTiny + "--motion easy --sensor none --methods all --quiet --csv " +
-                         folder_ ("a.csv") + " --json " + folder_ ("a.json"));
+  const ToolRun r =
+      run (kTiny + "--motion easy --sensor none --methods all --quiet --csv " +
+           folder_ ("a.csv") + " --json " + folder_ ("a.json"));
   ASSERT_EQ (r.status, 0) << r.err;
   EXPECT_EQ (r.err, "");
   EXPECT_THAT (r.out, HasSubstr ("| multi_body_easy_none | **"));

@@ -77,7 +77,7 @@ private:
   Eigen::Matrix3d rotation_;
   Eigen::Vector3d translation_;
   Eigen::Matrix3d turning_, both_, moving_; ///< blocks of the covariance, turned
-  Eigen::Vector3d twist_; ///< with q . twist = trace ([q]x both)
+  Eigen::Vector3d twist_;                   ///< with q . twist = trace ([q]x both)
   const PinholeCamera& camera_;
   double noise_;
 };

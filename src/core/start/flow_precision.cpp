@@ -2,13 +2,13 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/start/flow_precision.h"
 
-#include "core/base/opencv_threads.h"
-#include "core/base/order_statistics.h"
-#include "core/base/parallel_for.h"
-
 #include <Eigen/Eigenvalues>
 
 #include <opencv2/imgproc.hpp>
+
+#include "core/base/opencv_threads.h"
+#include "core/base/order_statistics.h"
+#include "core/base/parallel_for.h"
 
 #include <algorithm>
 #include <cmath>

@@ -122,8 +122,9 @@ addConfidence (const SceneFlow& flow, Json& json)
     json["median_flow_deviation_px"] = pixels;
   if (metres > 0.0)
     json["median_displacement_deviation_m"] = metres;
-  const bool has_group = flow.dominant_group >= 0 &&
-                         flow.dominant_group < static_cast<int> (flow.group_motions.size());
+  const bool has_group =
+      flow.dominant_group >= 0 &&
+      flow.dominant_group < static_cast<int> (flow.group_motions.size());
   if (has_group && flow.group_motions[flow.dominant_group].information.allFinite())
     json["dominant_motion_information"] =
         rowsOf (flow.group_motions[flow.dominant_group].information);
