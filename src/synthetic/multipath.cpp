@@ -14,8 +14,6 @@ namespace {
 
 constexpr int side = 8;   ///< of a patch, pixels
 constexpr int reach = 10; ///< patches
-constexpr double kept =
-    0.5; ///< of the error: cameras with several frequencies see some
 
 struct Patch {
   bool known{false};

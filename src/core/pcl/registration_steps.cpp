@@ -91,7 +91,7 @@ failedFlow (StopReason reason, const std::string& message)
 const SceneFlow&
 noSceneFlow ()
 {
-  static const SceneFlow none;
+  static const SceneFlow none{};
   return none;
 }
 

@@ -109,7 +109,7 @@ SceneFlowTracker::reset()
 const SceneFlow&
 SceneFlowTracker::sceneFlow() const
 {
-  static const SceneFlow none;
+  static const SceneFlow none{};
   return result_.frames.empty() ? none : result_.frames.back();
 }
 

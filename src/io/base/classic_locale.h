@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include <locale.h> // newlocale and uselocale are POSIX, not in <clocale>
+// newlocale and uselocale are POSIX, not in <clocale>
+#include <locale.h> // NOLINT(modernize-deprecated-headers)
 
 namespace pcl_msf::io {
 
