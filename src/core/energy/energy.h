@@ -95,11 +95,6 @@ public:
   {
     return scene_.pairs[pair].from;
   }
-  int
-  threads () const
-  {
-    return scene_.threads;
-  }
   const StepTuning&
   stepTuning () const
   {

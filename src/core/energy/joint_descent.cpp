@@ -12,7 +12,7 @@ namespace pcl_msf {
 namespace {
 
 ceres::Solver::Options
-oneStep (const SolverParameters& solver, int threads)
+oneStep (const SolverParameters& solver)
 {
   ceres::Solver::Options options;
   options.minimizer_type = ceres::TRUST_REGION;
@@ -30,7 +30,7 @@ oneStep (const SolverParameters& solver, int threads)
   options.parameter_tolerance = 0.0;
   options.gradient_tolerance = 0.0;
   options.logging_type = ceres::SILENT;
-  options.num_threads = threads;
+  options.num_threads = 1; // no second pool, none in a forked process
   return options;
 }
 
@@ -56,7 +56,7 @@ JointDescent::JointDescent (Energy& energy,
 , state_ (state)
 , reach_ (reachOf (energy, state))
 , problem_ (energy, state)
-, options_ (oneStep (solver, energy.threads()))
+, options_ (oneStep (solver))
 , parameter_tolerance_ (solver.parameter_tolerance)
 , costs_ (energy.bodyCosts (state))
 {
