@@ -29,7 +29,7 @@ private:
   std::vector<int>
   largestBodies () const;
   DataTerm::Probe
-  probe (int segment, int body) const;
+  probe (int segment, int body);
   void
   findVisibleSegments (int threads);
   void
@@ -37,9 +37,15 @@ private:
   double
   occupiedShare (int segment, int body) const;
   double
-  score (int segment, int body, double limit) const;
+  score (int segment, int body, double limit);
   int
-  choose (int segment, const std::vector<int>& candidates) const;
+  choose (int segment, const std::vector<int>& candidates);
+
+  /** Of a segment with a body's poses, which no round changes. */
+  struct KnownProbe {
+    int body;
+    DataTerm::Probe probe;
+  };
 
   const std::vector<PairTerms> pairs_;
   const AssignmentTuning& tuning_;
@@ -48,6 +54,7 @@ private:
   std::vector<std::vector<int>> neighbors_;
   std::vector<std::vector<double>> strengths_; ///< of the links to them
   int largest_{0};                             ///< body
+  std::vector<std::vector<KnownProbe>> known_; ///< per segment
   std::vector<char> visible_;        ///< per segment: mostly visible with its body
   std::vector<MotionState> motions_; ///< per pair
   std::vector<std::unique_ptr<LandingMap>> landings_; ///< likewise, of motions_
@@ -63,6 +70,7 @@ Assignment::Assignment (const std::vector<PairTerms>& terms,
 , segments_ (static_cast<int> (state.body_of.size()))
 , neighbors_ (neighborLists (links, segments_))
 , strengths_ (segments_)
+, known_ (segments_)
 {
   for (const SegmentLink& l : links) {
     strengths_[l.first].push_back (l.strength);
@@ -86,8 +94,11 @@ Assignment::largestBodies() const
 
 /** Costs of all pairs together; `hidden` is their mean by weight. */
 DataTerm::Probe
-Assignment::probe (int segment, int body) const
+Assignment::probe (int segment, int body)
 {
+  for (const KnownProbe& known : known_[segment])
+    if (known.body == body)
+      return known.probe;
   DataTerm::Probe sum;
   for (const PairTerms& pair : pairs_) {
     const DataTerm::Probe one =
@@ -97,6 +108,7 @@ Assignment::probe (int segment, int body) const
     sum.hidden += one.hidden * one.weight;
   }
   sum.hidden = sum.weight > 0.0 ? sum.hidden / sum.weight : 1.0;
+  known_[segment].push_back ({body, sum});
   return sum;
 }
 
@@ -113,7 +125,7 @@ Assignment::occupiedShare (int segment, int body) const
 }
 
 double
-Assignment::score (int segment, int body, double limit) const
+Assignment::score (int segment, int body, double limit)
 {
   const auto& near = neighbors_[segment];
   double others = 0.0;
@@ -141,7 +153,7 @@ Assignment::score (int segment, int body, double limit) const
 }
 
 int
-Assignment::choose (int segment, const std::vector<int>& largest) const
+Assignment::choose (int segment, const std::vector<int>& largest)
 {
   std::vector<int> candidates = largest;
   for (const int n : neighbors_[segment])
@@ -180,8 +192,9 @@ Assignment::mapLandings (int threads)
   landings_.resize (pairs);
   const bool many = pairs > 1; // else threads share a pair's segments
   parallelFor (many ? threads : 1, pairs, 1, [&] (int i) {
-    landings_[i] = std::make_unique<LandingMap> (
-        *pairs_[i].all, motions_[i], tuning_.landings, many ? 1 : threads);
+    if (!landings_[i])
+      landings_[i] = std::make_unique<LandingMap> (*pairs_[i].all, tuning_.landings);
+    landings_[i]->enter (motions_[i], many ? 1 : threads);
   });
 }
 

@@ -64,38 +64,52 @@ private:
 
 } // namespace
 
-LandingMap::LandingMap (const DataTerm& data,
-                        const MotionState& state,
-                        const LandingTuning& tuning,
-                        int threads)
-: state_ (state)
-, points_ (state.poses.size(), 0)
-, cell_ (tuning.cell)
-, columns_ (data.image().width / cell_ + 1)
-, cells_ (static_cast<std::size_t> (columns_) * (data.image().height / cell_ + 1))
+LandingMap::LandingMap (const DataTerm& data, const LandingTuning& tuning)
+: data_ (data)
+, tuning_ (tuning)
+, columns_ (data.image().width / tuning.cell + 1)
+, landed_ (data.pixels().segments())
+, cells_ (static_cast<std::size_t> (columns_) * (data.image().height / tuning.cell + 1))
+{}
+
+void
+LandingMap::enter (const MotionState& state, int threads)
 {
-  const SegmentPixels& p = data.pixels();
+  const SegmentPixels& p = data_.pixels();
+  state_ = &state;
+  points_.assign (state.poses.size(), 0);
   for (int k = 0; k < p.segments(); ++k)
     points_[state.body_of[k]] += p.size (k);
-  std::vector<std::vector<int>> cells (p.segments()); // that each lands on
   parallelFor (threads, p.segments(), 8, [&] (int k) {
-    Landing landing (data, state.poseOf (k));
-    const int step = std::max (1, p.size (k) / tuning.per_segment);
-    cells[k].reserve (p.size (k) / step + 1);
-    for (int i = p.begin[k]; i < p.begin[k + 1]; i += step)
-      if (landing.onSurface (i) && landing.alike (i, tuning.looks_alike))
-        cells[k].push_back (cellOf (landing.place()));
+    if (landed_[k].body != state.body_of[k])
+      landed_[k] = {state.body_of[k], landingsOf (k, state.poseOf (k))};
   });
+  std::fill (cells_.begin(), cells_.end(), Cell{});
   for (int k = 0; k < p.segments(); ++k)
-    for (const int cell : cells[k])
-      enter (k, cell);
+    for (const int cell : landed_[k].cells)
+      enterCell (k, cell);
+}
+
+/** A sample of a segment's points is enough. */
+std::vector<int>
+LandingMap::landingsOf (int segment, const RigidPose& pose) const
+{
+  const SegmentPixels& p = data_.pixels();
+  Landing landing (data_, pose);
+  const int step = std::max (1, p.size (segment) / tuning_.per_segment);
+  std::vector<int> cells;
+  cells.reserve (p.size (segment) / step + 1);
+  for (int i = p.begin[segment]; i < p.begin[segment + 1]; i += step)
+    if (landing.onSurface (i) && landing.alike (i, tuning_.looks_alike))
+      cells.push_back (cellOf (landing.place()));
+  return cells;
 }
 
 int
 LandingMap::cellOf (const ImagePlace& at) const
 {
-  return (static_cast<int> (at.v + 0.5f) / cell_) * columns_ +
-         static_cast<int> (at.u + 0.5f) / cell_;
+  return (static_cast<int> (at.v + 0.5f) / tuning_.cell) * columns_ +
+         static_cast<int> (at.u + 0.5f) / tuning_.cell;
 }
 
 bool
@@ -103,13 +117,13 @@ LandingMap::larger (int segment, int other) const
 {
   if (other < 0)
     return true;
-  const int a = points_[state_.body_of[segment]];
-  const int b = points_[state_.body_of[other]];
+  const int a = points_[state_->body_of[segment]];
+  const int b = points_[state_->body_of[other]];
   return a != b ? a > b : segment < other;
 }
 
 void
-LandingMap::enter (int segment, int cell)
+LandingMap::enterCell (int segment, int cell)
 {
   auto& entered = cells_[cell].segment;
   if (segment == entered[0] || segment == entered[1])
@@ -126,14 +140,14 @@ double
 LandingMap::occupiedShare (const DataTerm& sample, int segment, int body) const
 {
   const SegmentPixels& p = sample.pixels();
-  Landing landing (sample, state_.poses[body]);
+  Landing landing (sample, state_->poses[body]);
   int occupied = 0;
   for (int i = p.begin[segment]; i < p.begin[segment + 1]; ++i) {
     if (!landing.onSurface (i))
       continue;
     for (const int other : cells_[cellOf (landing.place())].segment)
       if (other >= 0 && other != segment &&
-          points_[state_.body_of[other]] > points_[body]) {
+          points_[state_->body_of[other]] > points_[body]) {
         ++occupied;
         break;
       }

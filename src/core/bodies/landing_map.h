@@ -21,12 +21,17 @@ namespace pcl_msf {
  */
 class LandingMap {
 public:
-  /** \param data its points are entered where the state's poses carry them: those that
-   * lie on the current frame's surface and look like it */
-  LandingMap (const DataTerm& data,
-              const MotionState& state,
-              const LandingTuning& tuning,
-              int threads);
+  /** \param data whose points are entered */
+  LandingMap (const DataTerm& data, const LandingTuning& tuning);
+
+  /** \brief Enters the points where a state's poses carry them: those that lie on the
+   * current frame's surface and look like it.
+   *
+   * What earlier states entered is forgotten; of segments that stay with their body it
+   * is known already: the bodies' poses must be the same in all. \param state stays in
+   * use */
+  void
+  enter (const MotionState& state, int threads);
 
   /** \brief Share of a segment's points that would land, with a body's pose, where
    * another segment of another and larger body lands. \param sample points of the same
@@ -43,12 +48,22 @@ private:
   int
   cellOf (const ImagePlace& at) const;
   void
-  enter (int segment, int cell);
+  enterCell (int segment, int cell);
+  std::vector<int>
+  landingsOf (int segment, const RigidPose& pose) const;
 
-  const MotionState& state_;
-  std::vector<int> points_; ///< per body
-  int cell_;                ///< pixels
+  /** Cells that a segment lands on with a body. */
+  struct Landed {
+    int body{-1};
+    std::vector<int> cells;
+  };
+
+  const DataTerm& data_;
+  const LandingTuning tuning_;
   int columns_;
+  const MotionState* state_{nullptr};
+  std::vector<int> points_;    ///< per body
+  std::vector<Landed> landed_; ///< per segment
   std::vector<Cell> cells_;
 };
 

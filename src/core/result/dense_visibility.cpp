@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/result/dense_visibility.h"
 
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/opencv_threads.h"
 #include "core/base/order_statistics.h"
 #include "core/base/parallel_for.h"
 #include "core/data/surface_sample.h"
@@ -110,19 +113,53 @@ supportOf (cv::Size size,
   return support;
 }
 
+/** Least and greatest inverse depth of the 3 x 3 pixels around each, as far as they are
+ * in the image. */
+class Surroundings {
+public:
+  explicit Surroundings (const kernel::Image& image)
+  {
+    // OpenCV takes no const data; nothing writes to it.
+    const cv::Mat texels (
+        image.height, image.width, CV_32FC2, const_cast<float*> (image.texels));
+    inThisThread ([&] {
+      cv::Mat inverse_depth;
+      cv::extractChannel (texels, inverse_depth, 1);
+      cv::erode (inverse_depth, least_, cv::Mat());
+      cv::dilate (inverse_depth, greatest_, cv::Mat());
+    });
+  }
+
+  /** Are all of them measured and near a value? */
+  bool
+  agree (const cv::Point& at, float expected, float tolerance) const
+  {
+    const float least = least_.ptr<float> (at.y)[at.x];
+    return least > 0.0f && expected - least <= tolerance &&
+           greatest_.ptr<float> (at.y)[at.x] - expected <= tolerance;
+  }
+
+private:
+  cv::Mat least_, greatest_;
+};
+
 /** Do enough of the frame's measurements around a landing agree with the point? As
  * many as in the reference are enough, as for a point that stands alone there.
  * \param pixel of the point in the reference */
 bool
 liesOnSurface (const kernel::Image& image,
+               const Surroundings& surroundings,
                const Landing& landing,
                float tolerance,
                int least,
                const cv::Mat& points,
                int pixel)
 {
-  const cv::Point at (static_cast<int> (std::lround (landing.at.u)),
-                      static_cast<int> (std::lround (landing.at.v)));
+  const cv::Point at (
+      std::min (static_cast<int> (landing.at.u + 0.5f), image.width - 1),
+      std::min (static_cast<int> (landing.at.v + 0.5f), image.height - 1));
+  if (surroundings.agree (at, landing.expected, tolerance))
+    return true;
   const Support there = supportOf (
       {image.width, image.height}, at, landing.expected, tolerance, [&] (int y, int x) {
         return image.texels[2 * (y * image.width + x) + 1];
@@ -142,6 +179,7 @@ liesOnSurface (const kernel::Image& image,
 /** \param pixel of the point in the reference */
 Visibility
 visibilityOf (const kernel::Image& image,
+              const Surroundings& surroundings,
               const Landing& landing,
               float tolerance,
               const VisibilityTuning& tuning,
@@ -158,7 +196,8 @@ visibilityOf (const kernel::Image& image,
     return Occluded;
   if (behind < -within)
     return Unknown;
-  return liesOnSurface (image, landing, within, tuning.surface, points, pixel)
+  return liesOnSurface (
+             image, surroundings, landing, within, tuning.surface, points, pixel)
              ? Visible
              : Unknown;
 }
@@ -184,12 +223,14 @@ fillVisibility (const DataTerm& data,
                              tuning.most_share);
   });
   const float wider = widening (landings, p, tuning.most_widening);
+  const Surroundings surroundings (image);
   parallelFor (threads, p.segments(), 8, [&] (int k) {
     SegmentMotion& segment = result.segments[k];
     const bool known = segment.status != MotionStatus::Undetermined;
     segment.visible_points = 0;
     for (int i = p.begin[k]; i < p.begin[k + 1]; ++i) {
       const Visibility seen = known ? visibilityOf (image,
+                                                    surroundings,
                                                     landings[i],
                                                     wider * p.depth_tolerance[i],
                                                     tuning,

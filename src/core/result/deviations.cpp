@@ -9,6 +9,7 @@
 #include "core/base/opencv_threads.h"
 #include "core/base/parallel_for.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -20,66 +21,123 @@ namespace {
 
 /** Expected squared lengths of a point's errors. */
 struct Variance {
-  double flow{0.0};         ///< square pixels
-  double displacement{0.0}; ///< square metres
+  float flow{0.0f};         ///< square pixels
+  float displacement{0.0f}; ///< square metres
 };
 
-/** Carries a segment's covariance to its points: traces of J C J' with J = (-[q]x L, 1)
- * as from pointJacobian, by the blocks of C. */
+constexpr int kBlock = 256; // points that are carried at once
+
+/** Variances of a block of points, side by side. */
+struct BlockVariances {
+  std::array<float, kBlock> flow; ///< NaN behind the camera
+  std::array<float, kBlock> displacement;
+};
+
+/** x' S x of a symmetric matrix. */
+inline float
+quadratic (const Eigen::Matrix3f& s, float x, float y, float z)
+{
+  return x * (s (0, 0) * x + 2.0f * (s (0, 1) * y + s (0, 2) * z)) +
+         y * (s (1, 1) * y + 2.0f * s (1, 2) * z) + z * s (2, 2) * z;
+}
+
+/** Carries a segment's covariance to its points: traces of J C J' with J = (-[q]x, 1)
+ * as from pointJacobian, by the blocks of C. Lengths are from the segment's centroid,
+ * so that floats are enough. */
 class SegmentVariance {
 public:
   SegmentVariance (const RigidPose& pose,
                    const Matrix6& covariance,
+                   const Eigen::Vector3d& centroid,
                    const PinholeCamera& camera,
                    double inverse_depth_noise)
-  : rotation_ (pose.rotation())
-  , translation_ (pose.translation())
-  , camera_ (camera)
-  , noise_ (inverse_depth_noise)
+  : rotation_ (pose.rotation().cast<float>())
+  , centroid_ (centroid.cast<float>())
+  , turned_centroid_ ((pose.rotation() * centroid).cast<float>())
+  , translation_ (pose.translation().cast<float>())
+  , fx_ (static_cast<float> (camera.fx))
+  , fy_ (static_cast<float> (camera.fy))
+  , noise_ (static_cast<float> (inverse_depth_noise))
   {
     const Eigen::Matrix3d left =
         leftJacobian ({pose.parameters[0], pose.parameters[1], pose.parameters[2]});
-    turning_ = left * covariance.topLeftCorner<3, 3>() * left.transpose();
-    both_ = left * covariance.topRightCorner<3, 3>();
-    moving_ = covariance.bottomRightCorner<3, 3>();
+    const Eigen::Vector3d c = pose.rotation() * centroid;
+    Eigen::Matrix3d lever; // [c]x
+    lever << 0.0, -c.z(), c.y(), c.z(), 0.0, -c.x(), -c.y(), c.x(), 0.0;
+    const Eigen::Matrix3d turning =
+        left * covariance.topLeftCorner<3, 3>() * left.transpose();
+    const Eigen::Matrix3d far = left * covariance.topRightCorner<3, 3>();
+    const Eigen::Matrix3d both = far + turning * lever;
+    const Eigen::Matrix3d moving =
+        covariance.bottomRightCorner<3, 3>() - lever * far +
+        (far.transpose() - lever * turning.transpose()) * lever;
+    turning_ = turning.cast<float>();
+    both_ = both.cast<float>();
+    moving_ = (0.5 * (moving + moving.transpose())).cast<float>();
     twist_ = {both_ (1, 2) - both_ (2, 1),
               both_ (2, 0) - both_ (0, 2),
               both_ (0, 1) - both_ (1, 0)};
   }
 
-  Variance
-  at (const Eigen::Vector3d& point) const
+  /** Of points [first, first + count), count <= kBlock. */
+  void
+  carry (const SegmentPixels& p, int first, int count, BlockVariances& out) const
   {
-    const Eigen::Vector3d turned = rotation_ * point;
-    const Eigen::Vector3d moved = turned + translation_;
-    // Another inverse depth takes the point along its ray.
-    const double along = point.z() * noise_;
-    const Eigen::Vector3d ahead = along * turned;
-    const double w = moved.z() > 1e-3 ? 1.0 / moved.z() : std::nan ("");
-    const Eigen::Vector3d u (camera_.fx * w, 0.0, -camera_.fx * moved.x() * w * w);
-    const Eigen::Vector3d v (0.0, camera_.fy * w, -camera_.fy * moved.y() * w * w);
-    return {alongGradient (u, turned) + alongGradient (v, turned) +
-                std::pow (u.dot (ahead), 2) + std::pow (v.dot (ahead), 2),
-            turned.squaredNorm() * turning_.trace() - turned.dot (turning_ * turned) -
-                2.0 * turned.dot (twist_) + moving_.trace() +
-                (ahead - along * point).squaredNorm()};
+    const float* const x = p.x.data() + first;
+    const float* const y = p.y.data() + first;
+    const float* const z = p.z.data() + first;
+#pragma omp simd
+    for (int i = 0; i < count; ++i)
+      carry (x[i], y[i], z[i], out.flow[i], out.displacement[i]);
   }
 
 private:
-  /** g' J C J' g: variance of g . (moved point); NaN at the camera, as g is. */
-  double
-  alongGradient (const Eigen::Vector3d& g, const Eigen::Vector3d& turned) const
+  [[gnu::always_inline]] void
+  carry (float x, float y, float z, float& flow, float& displacement) const
   {
-    const Eigen::Vector3d h = g.cross (turned);
-    return h.dot (turning_ * h) - 2.0 * h.dot (both_ * g) + g.dot (moving_ * g);
+    const Eigen::Matrix3f& r = rotation_;
+    const float ox = x - centroid_.x(), oy = y - centroid_.y(), oz = z - centroid_.z();
+    const float qx = r (0, 0) * ox + r (0, 1) * oy + r (0, 2) * oz;
+    const float qy = r (1, 0) * ox + r (1, 1) * oy + r (1, 2) * oz;
+    const float qz = r (2, 0) * ox + r (2, 1) * oy + r (2, 2) * oz;
+    const float tx = qx + turned_centroid_.x(), ty = qy + turned_centroid_.y(),
+                tz = qz + turned_centroid_.z();
+    // Another inverse depth takes the point along its ray.
+    const float along = z * noise_;
+    const float mz = tz + translation_.z();
+    const float w = mz > 1e-3f ? 1.0f / mz : std::numeric_limits<float>::quiet_NaN();
+    const float a = fx_ * w, c = -a * (tx + translation_.x()) * w; // d u / d (x, z)
+    const float b = fy_ * w, d = -b * (ty + translation_.y()) * w; // d v / d (y, z)
+    const float ahead_u = along * (a * tx + c * tz);
+    const float ahead_v = along * (b * ty + d * tz);
+    flow = alongGradient (a, 0.0f, c, -c * qy, c * qx - a * qz, a * qy) +
+           alongGradient (0.0f, b, d, b * qz - d * qy, d * qx, -b * qx) +
+           ahead_u * ahead_u + ahead_v * ahead_v;
+    const float ax = tx - x, ay = ty - y, az = tz - z;
+    displacement = (qx * qx + qy * qy + qz * qz) * turning_.trace() -
+                   quadratic (turning_, qx, qy, qz) -
+                   2.0f * (qx * twist_.x() + qy * twist_.y() + qz * twist_.z()) +
+                   moving_.trace() + along * along * (ax * ax + ay * ay + az * az);
   }
 
-  Eigen::Matrix3d rotation_;
-  Eigen::Vector3d translation_;
-  Eigen::Matrix3d turning_, both_, moving_; ///< blocks of the covariance, turned
-  Eigen::Vector3d twist_;                   ///< with q . twist = trace ([q]x both)
-  const PinholeCamera& camera_;
-  double noise_;
+  /** Variance of g . (moved point), with h = g x q. */
+  [[gnu::always_inline]] float
+  alongGradient (float gx, float gy, float gz, float hx, float hy, float hz) const
+  {
+    const Eigen::Matrix3f& b = both_;
+    return quadratic (turning_, hx, hy, hz) -
+           2.0f * (hx * (b (0, 0) * gx + b (0, 1) * gy + b (0, 2) * gz) +
+                   hy * (b (1, 0) * gx + b (1, 1) * gy + b (1, 2) * gz) +
+                   hz * (b (2, 0) * gx + b (2, 1) * gy + b (2, 2) * gz)) +
+           quadratic (moving_, gx, gy, gz);
+  }
+
+  Eigen::Matrix3f rotation_;
+  Eigen::Vector3f centroid_, turned_centroid_, translation_;
+  Eigen::Matrix3f turning_, both_, moving_; ///< blocks of the covariance, turned
+  Eigen::Vector3f twist_;                   ///< with q . twist = trace ([q]x both)
+  float fx_, fy_;
+  float noise_;
 };
 
 /** Where motions differ within a radius: 255 in CV_8UC1. Inside of a rigid body they
@@ -119,26 +177,75 @@ differenceAround (const SceneFlow& scene, const cv::Point& at, const int (&radii
   const cv::Vec3f displacement = scene.displacement.at<cv::Vec3f> (at);
   const cv::Rect image ({}, scene.flow.size());
   Variance sum;
-  double weights = 0.0;
+  float weights = 0.0f;
   for (int ring = 0; ring < 2; ++ring)
     for (int i = 0; i < 9; ++i) {
       const cv::Point other = at + radii[ring] * cv::Point (i % 3 - 1, i / 3 - 1);
       if (i == 4 || !image.contains (other))
         continue;
       const cv::Vec2f f = scene.flow.at<cv::Vec2f> (other) - flow;
-      const double d = f.dot (f);
+      const float d = f.dot (f);
       if (!std::isfinite (d))
         continue;
-      const double weight = ring == 0 ? 1.0 : 0.5;
+      const float weight = ring == 0 ? 1.0f : 0.5f;
       sum.flow += weight * d;
       const cv::Vec3f way = scene.displacement.at<cv::Vec3f> (other) - displacement;
       sum.displacement += weight * way.dot (way);
       weights += weight;
     }
-  if (weights > 0.0)
+  if (weights > 0.0f)
     return {sum.flow / weights, sum.displacement / weights};
   return {};
 }
+
+/** Writes deviations where there is a motion. */
+class DeviationWriter {
+public:
+  DeviationWriter (const PinholeCamera& camera,
+                   const DeviationTuning& tuning,
+                   SceneFlow& result)
+  : tuning_ (tuning)
+  , radii_{tuning.near_step, tuning.far_step}
+  , least_ (static_cast<float> (tuning.least_pixels))
+  , pixel_ (static_cast<float> (tuning.least_pixels / camera.fx))
+  , near_others_ (nearOtherMotions (result, tuning.far_step))
+  , result_ (result)
+  {
+    const cv::Scalar nan = cv::Scalar::all (std::numeric_limits<float>::quiet_NaN());
+    result.flow_deviation = cv::Mat (result.labels.size(), CV_32FC1, nan);
+    result.displacement_deviation = cv::Mat (result.labels.size(), CV_32FC1, nan);
+  }
+
+  /** \param z depth, metres */
+  void
+  write (int pixel, float z, const Variance& pose)
+  {
+    if (std::isnan (result_.displacement.ptr<cv::Vec3f>()[pixel][0]))
+      return;
+    Variance step;
+    if (near_others_.ptr()[pixel] != 0) {
+      const int width = result_.labels.cols;
+      step = differenceAround (result_, {pixel % width, pixel / width}, radii_);
+    }
+    const bool seen = result_.visibility.ptr()[pixel] == Visible;
+    const auto across =
+        static_cast<float> (seen ? tuning_.across : tuning_.across_unseen);
+    const float side = pixel_ * z;
+    result_.displacement_deviation.ptr<float>()[pixel] =
+        std::sqrt (pose.displacement + across * step.displacement + side * side);
+    if (!std::isnan (result_.flow.ptr<cv::Vec2f>()[pixel][0]))
+      result_.flow_deviation.ptr<float>()[pixel] =
+          std::sqrt (pose.flow + across * step.flow + least_ * least_);
+  }
+
+private:
+  const DeviationTuning& tuning_;
+  const int radii_[2];
+  const float least_; ///< pixels
+  const float pixel_; ///< the same, metres at a metre's depth
+  const cv::Mat near_others_;
+  SceneFlow& result_;
+};
 
 } // namespace
 
@@ -151,34 +258,22 @@ fillDeviations (const SegmentPixels& p,
                 int threads,
                 SceneFlow& result)
 {
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  const cv::Size size = result.labels.size();
-  result.flow_deviation = cv::Mat (size, CV_32FC1, cv::Scalar::all (nan));
-  result.displacement_deviation = cv::Mat (size, CV_32FC1, cv::Scalar::all (nan));
-  const int radii[2] = {tuning.near_step, tuning.far_step};
-  const cv::Mat near_others = nearOtherMotions (result, tuning.far_step);
+  DeviationWriter writer (camera, tuning, result);
   parallelFor (threads, p.segments(), 8, [&] (int k) {
     const SegmentVariance own (result.segments[k].current_from_reference,
                                covariances[k],
+                               p.centroid[k],
                                camera,
                                inverse_depth_noise);
-    for (int i = p.begin[k]; i < p.begin[k + 1]; ++i) {
-      const cv::Point at (p.pixel[i] % size.width, p.pixel[i] / size.width);
-      if (std::isnan (result.displacement.at<cv::Vec3f> (at)[0]))
-        continue;
-      const Variance pose = own.at ({p.x[i], p.y[i], p.z[i]});
-      const Variance step = near_others.at<unsigned char> (at) != 0
-                                ? differenceAround (result, at, radii)
-                                : Variance{};
-      const bool seen = result.visibility.at<unsigned char> (at) == Visible;
-      const double across = seen ? tuning.across : tuning.across_unseen;
-      const double pixel = tuning.least_pixels * p.z[i] / camera.fx;
-      result.displacement_deviation.at<float> (at) = static_cast<float> (
-          std::sqrt (pose.displacement + across * step.displacement + pixel * pixel));
-      if (!std::isnan (result.flow.at<cv::Vec2f> (at)[0]))
-        result.flow_deviation.at<float> (at) =
-            static_cast<float> (std::sqrt (pose.flow + across * step.flow +
-                                           tuning.least_pixels * tuning.least_pixels));
+    BlockVariances block;
+    for (int first = p.begin[k]; first < p.begin[k + 1]; first += kBlock) {
+      const int count = std::min (kBlock, p.begin[k + 1] - first);
+      own.carry (p, first, count, block);
+      for (int i = 0; i < count; ++i)
+        writer.write (
+            p.pixel[first + i],
+            p.z[first + i],
+            {std::max (0.0f, block.flow[i]), std::max (0.0f, block.displacement[i])});
     }
   });
 }

@@ -80,71 +80,119 @@ squaredGradient (const cv::Mat& image, int x, int y)
   return gx * gx + gy * gy;
 }
 
-/** Scale of the point-to-plane distance and tolerance of the z-test. */
-void
-fillDepthScales (const FrameLevel& level,
-                 const PointOptions& options,
-                 int i,
-                 SegmentPixels& out)
+/** What is the same for all points of a level. */
+struct PointScales {
+  float fx;             ///< pixels
+  float displacement;   ///< of the model's error, pixels
+  float intensity;      ///< squared noise
+  float inverse_depth;  ///< noise, 1 / metres
+  float relative_depth; ///< likewise, per inverse depth
+  float hidden;         ///< tolerance of the z-test, 1 / metres
+  float relative_hidden;
+};
+
+PointScales
+scalesOf (const FrameLevel& level, const PointOptions& options)
 {
-  const Eigen::Vector3f n (out.nx[i], out.ny[i], out.nz[i]);
-  const float z = out.z[i];
-  const float w = 1.0f / z;
-  const Eigen::Vector3f ray (out.x[i] * w, out.y[i] * w, 1.0f);
-  const float along_ray = std::abs (n.dot (ray));
+  const NoiseModel& noise = options.noise;
+  const auto inverse_depth = static_cast<float> (noise.inverse_depth);
+  return {static_cast<float> (level.camera.fx),
+          static_cast<float> (noise.displacement),
+          static_cast<float> (noise.intensity * noise.intensity),
+          inverse_depth,
+          static_cast<float> (noise.relative_depth),
+          options.tuning.hidden_sigmas * inverse_depth,
+          static_cast<float> (options.relative_tolerance)};
+}
+
+/** Takes a segment's points from the images: as (x, y, z) their rays and inverse depth,
+ * as brightness_scale the squared gradient, -1 without intensity. */
+void
+gatherPoints (const FrameLevel& level,
+              const BrightnessChange& change,
+              int begin,
+              int end,
+              SegmentPixels& out)
+{
+  const double to_x = 1.0 / level.camera.fx;
+  const double to_y = 1.0 / level.camera.fy;
+  const bool bright = !level.intensity.empty();
+  const int width = level.width();
+  for (int i = begin; i < end; ++i) {
+    const int v = out.pixel[i] / width;
+    const int u = out.pixel[i] - v * width;
+    out.x[i] = static_cast<float> ((u - level.camera.cx) * to_x);
+    out.y[i] = static_cast<float> ((v - level.camera.cy) * to_y);
+    out.z[i] = level.inverse_depth.ptr<float> (v)[u];
+    out.intensity[i] =
+        bright ? change.gain * level.intensity.ptr<float> (v)[u] + change.offset : 0.0f;
+    out.brightness_scale[i] = bright ? squaredGradient (level.intensity, u, v) : -1.0f;
+    const cv::Vec3f& n = level.normals.ptr<cv::Vec3f> (v)[u];
+    out.nx[i] = n[0];
+    out.ny[i] = n[1];
+    out.nz[i] = n[2];
+  }
+}
+
+/** Scales of a gathered point's residuals and tolerance of its z-test; then its place.
+ */
+[[gnu::always_inline]] inline void
+scalePoint (const PointScales& s,
+            const float (&n)[3],
+            float& x,
+            float& y,
+            float& z,
+            float& brightness_scale,
+            float& icp_scale,
+            float& depth_tolerance)
+{
+  const float w = z;
+  const float depth = 1.0f / w;
+  const float along_ray = std::abs (n[0] * x + n[1] * y + n[2]);
   const bool has_normal = along_ray > 0.0f;
+  const float least_along = along_ray > 0.1f ? along_ray : 0.1f;
   // The depth noise z^2 sigma_w lies along the ray and is seen from the normal; the
   // motion model's own error of some share of a pixel lies across it.
-  const float pixel = z / static_cast<float> (level.camera.fx);
-  const float across = std::sqrt (std::max (0.0f, 1.0f - n.z() * n.z())) * pixel *
-                       static_cast<float> (options.noise.displacement);
-  const auto sigma_w = static_cast<float> (options.noise.inverse_depth +
-                                           options.noise.relative_depth * w);
-  const float along = std::max (along_ray, 0.1f) * z * z * sigma_w;
-  out.icp_scale[i] =
-      has_normal ? 1.0f / std::sqrt (along * along + across * across) : 0.0f;
+  const float flat = n[0] * n[0] + n[1] * n[1];
+  const float pixel = depth / s.fx * s.displacement;
+  const float along =
+      least_along * depth * depth * (s.inverse_depth + s.relative_depth * w);
+  const float icp = 1.0f / std::sqrt (along * along + flat * pixel * pixel);
+  icp_scale = has_normal ? icp : 0.0f;
   // d W / d pixel on the tangent plane.
-  const float slope =
-      has_normal
-          ? w * n.head<2>().norm() /
-                (std::max (along_ray, 0.1f) * static_cast<float> (level.camera.fx))
-          : 0.0f;
-  out.depth_tolerance[i] =
-      options.tuning.hidden_sigmas * static_cast<float> (options.noise.inverse_depth) +
-      static_cast<float> (options.relative_tolerance) * w + slope;
+  const float slope = w * std::sqrt (flat) / (least_along * s.fx);
+  depth_tolerance = s.hidden + s.relative_hidden * w + (has_normal ? slope : 0.0f);
+  const float square = brightness_scale;
+  const float bright = 1.0f / std::sqrt (s.intensity + s.displacement * s.displacement *
+                                                           std::abs (square));
+  brightness_scale = square >= 0.0f ? bright : 0.0f;
+  x *= depth;
+  y *= depth;
+  z = depth;
 }
 
 void
-fillPoint (const FrameLevel& level,
-           const PointOptions& options,
-           int i,
-           SegmentPixels& out)
+scalePoints (const PointScales& scales, int begin, int end, SegmentPixels& out)
 {
-  const int u = out.pixel[i] % level.width();
-  const int v = out.pixel[i] / level.width();
-  const float w = level.inverse_depth.at<float> (v, u);
-  const auto rx = static_cast<float> ((u - level.camera.cx) / level.camera.fx);
-  const auto ry = static_cast<float> ((v - level.camera.cy) / level.camera.fy);
-  const float z = 1.0f / w;
-  out.x[i] = rx * z;
-  out.y[i] = ry * z;
-  out.z[i] = z;
-  out.intensity[i] = 0.0f;
-  out.brightness_scale[i] = 0.0f;
-  if (!level.intensity.empty()) {
-    out.intensity[i] =
-        options.change.gain * level.intensity.at<float> (v, u) + options.change.offset;
-    const auto spread = static_cast<float> (options.noise.displacement);
-    const auto sigma = static_cast<float> (options.noise.intensity);
-    out.brightness_scale[i] =
-        1.0f / std::sqrt (sigma * sigma +
-                          spread * spread * squaredGradient (level.intensity, u, v));
-  }
-  const cv::Vec3f n = level.normals.at<cv::Vec3f> (v, u);
-  out.nx[i] = n[0];
-  out.ny[i] = n[1];
-  out.nz[i] = n[2];
-  fillDepthScales (level, options, i, out);
+  float* const x = out.x.data();
+  float* const y = out.y.data();
+  float* const z = out.z.data();
+  const float* const nx = out.nx.data();
+  const float* const ny = out.ny.data();
+  const float* const nz = out.nz.data();
+  float* const brightness = out.brightness_scale.data();
+  float* const icp = out.icp_scale.data();
+  float* const tolerance = out.depth_tolerance.data();
+#pragma omp simd
+  for (int i = begin; i < end; ++i)
+    scalePoint (scales,
+                {nx[i], ny[i], nz[i]},
+                x[i],
+                y[i],
+                z[i],
+                brightness[i],
+                icp[i],
+                tolerance[i]);
 }
 
 } // namespace
@@ -163,11 +211,13 @@ groupPixels (const FrameLevel& level,
   out.centroid.assign (segments, Eigen::Vector3d::Zero());
   std::atomic<int> brightness_count{0};
   std::atomic<int> icp_count{0};
+  const PointScales scales = scalesOf (level, options);
   parallelFor (options.threads, segments, 16, [&] (int k) {
+    gatherPoints (level, options.change, out.begin[k], out.begin[k + 1], out);
+    scalePoints (scales, out.begin[k], out.begin[k + 1], out);
     int brightness = 0;
     int icp = 0;
     for (int i = out.begin[k]; i < out.begin[k + 1]; ++i) {
-      fillPoint (level, options, i, out);
       out.centroid[k] += Eigen::Vector3d (out.x[i], out.y[i], out.z[i]);
       brightness += out.brightness_scale[i] > 0.0f;
       icp += out.icp_scale[i] > 0.0f;

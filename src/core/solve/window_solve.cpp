@@ -92,9 +92,10 @@ std::vector<WindowSolve::Round>
 WindowSolve::pairSchedule (int finest_level) const
 {
   std::vector<Round> rounds;
+  const SolveTuning& tuning = scene_.tuning.solve;
   const int finest = std::min (finest_level, levels_ - 1);
-  const int coarsest = std::min (scene_.tuning.solve.coarsest_level, levels_ - 1);
-  const int few = std::min (user_.max_iterations, scene_.tuning.solve.later_iterations);
+  const int coarsest = std::min (tuning.coarsest_level, levels_ - 1);
+  const int few = std::min (user_.max_iterations, tuning.later_iterations);
   for (int level = coarsest; level >= finest; --level) {
     const double begin = level == 0 ? 0.5 : 0.5 - 0.15 * level;
     Round round{"solve",
@@ -102,10 +103,14 @@ WindowSolve::pairSchedule (int finest_level) const
                 begin,
                 begin + (level == 0 ? 0.3 : 0.15),
                 level == coarsest ? user_.max_iterations : few};
-    round.propose = round.merge = level < scene_.tuning.solve.coarsest_level;
+    round.propose = round.merge = level < tuning.coarsest_level;
+    if (level == 0 && coarsest > 0)
+      round.iterations = std::min (few, tuning.finest_iterations);
     rounds.push_back (round);
-    if (level == scene_.tuning.solve.coarsest_level)
+    if (level == tuning.coarsest_level)
       addSpreads (rounds);
+    else if (level > 0 && user_.merge_bodies)
+      addBodies (rounds);
   }
   if (finest > 0)
     return rounds;
@@ -116,6 +121,20 @@ WindowSolve::pairSchedule (int finest_level) const
   }
   rounds.back().last = true;
   return rounds;
+}
+
+/** Above the finest level bodies are found twice, which is cheap there: those that move
+ * as one body fit their place better than the segments did, so more of them find
+ * theirs. */
+void
+WindowSolve::addBodies (std::vector<Round>& rounds) const
+{
+  Round again = rounds.back();
+  rounds.back().end = again.begin = 0.5 * (again.begin + again.end);
+  again.stage = "bodies";
+  again.anew = again.propose = false;
+  again.rescale_noise = true;
+  rounds.push_back (again);
 }
 
 /** At the coarsest level, segments that lie beyond the start's reach get their motions

@@ -91,6 +91,8 @@ private:
   pairSchedule (int finest_level) const;
   void
   addSpreads (std::vector<Round>& rounds) const;
+  void
+  addBodies (std::vector<Round>& rounds) const;
   std::vector<Round>
   windowSchedule () const;
   void

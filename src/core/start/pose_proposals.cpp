@@ -43,12 +43,13 @@ PoseProposals::misfit (int link,
          poseDifference (first, second, l, unit, energy_.pose_difference).squaredNorm();
 }
 
-/** Data cost, and Eq. 10 and 11 of the segment's links at their best weights. */
+/** Data cost, and Eq. 10 and 11 of the segment's links at their best weights.
+ * \param probe of the segment at the pose \param own the pose */
 double
-PoseProposals::cost (int segment, const RigidPose& pose) const
+PoseProposals::cost (int segment,
+                     const DataTerm::Probe& probe,
+                     const UnpackedPose& own) const
 {
-  const DataTerm::Probe probe = probes_.probe (segment, pose);
-  const UnpackedPose own (pose);
   const double eta = energy_.prior_weight;
   double sum = probe.cost + flow_worth_ * probe.flow;
   double support = 0.0; // the strongest connection to a neighbour that is seen
@@ -62,15 +63,30 @@ PoseProposals::cost (int segment, const RigidPose& pose) const
          probe.weight * probe.hidden * (1.0 - support) * probes_.isolatedHiddenCost();
 }
 
+/** Looks at segments that moved in the last round. */
 void
-PoseProposals::findVisibleSegments (const std::vector<RigidPose>& poses)
+PoseProposals::enterPoses (const std::vector<RigidPose>& poses)
 {
-  const int segments = static_cast<int> (own_.size());
-  present_ = std::vector<UnpackedPose> (poses.begin(), poses.end());
-  visible_.assign (segments, 0);
-  parallelFor (threads_, segments, 8, [&] (int k) {
-    visible_[k] = probes_.probe (k, poses[k]).hidden < tuning_.mostly_hidden;
+  parallelFor (threads_, static_cast<int> (poses.size()), 8, [&] (int k) {
+    if (moved_[k] == 0)
+      return;
+    present_[k] = UnpackedPose (poses[k]);
+    probed_[k] = probes_.probe (k, poses[k]);
+    visible_[k] = probed_[k].hidden < tuning_.mostly_hidden;
   });
+}
+
+/** May a round change a segment? Not where it may not change, and not where nothing is
+ * new since it stayed. */
+bool
+PoseProposals::isOpen (int segment) const
+{
+  if (!moving_.empty() && moving_[segment] == 0)
+    return false;
+  return moved_[segment] != 0 ||
+         std::any_of (neighbors_[segment].begin(),
+                      neighbors_[segment].end(),
+                      [this] (const Neighbor& n) { return moved_[n.segment] != 0; });
 }
 
 bool
@@ -79,7 +95,8 @@ PoseProposals::improve (int segment,
                         bool first,
                         RigidPose& pose) const
 {
-  double best = tuning_.clearly_better * cost (segment, pose);
+  double best =
+      tuning_.clearly_better * cost (segment, probed_[segment], present_[segment]);
   bool changed = false;
   const double alone = tuning_.own_penalty * probes_.totalWeight (segment);
   std::vector<const RigidPose*> tried; // neighbours often share a motion
@@ -91,7 +108,9 @@ PoseProposals::improve (int segment,
       return;
     if (extra == 0.0)
       tried.push_back (&candidate);
-    const double c = cost (segment, candidate) + extra;
+    const double c =
+        cost (segment, probes_.probe (segment, candidate), UnpackedPose (candidate)) +
+        extra;
     if (c < best) {
       best = c;
       pose = candidate;
@@ -114,14 +133,20 @@ PoseProposals::run (int rounds, std::vector<RigidPose>& poses)
 {
   const int segments = static_cast<int> (own_.size());
   int total = 0;
+  moved_.assign (segments, 1);
+  present_ = std::vector<UnpackedPose> (poses.begin(), poses.end());
+  probed_.resize (segments);
+  visible_.resize (segments);
   for (int round = 0; round < rounds; ++round) {
-    findVisibleSegments (poses);
+    enterPoses (poses);
     std::vector<RigidPose> next = poses;
+    std::vector<char> moves (segments, 0);
     const int changes = parallelSum (threads_, segments, 8, [&] (int k) {
-      const bool stays = !moving_.empty() && moving_[k] == 0;
-      return !stays && improve (k, poses, round == 0, next[k]) ? 1 : 0;
+      moves[k] = isOpen (k) && improve (k, poses, round == 0, next[k]) ? 1 : 0;
+      return moves[k];
     });
     poses.swap (next);
+    moved_.swap (moves);
     total += changes;
     if (changes == 0)
       break;

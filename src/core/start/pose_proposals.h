@@ -70,9 +70,11 @@ private:
   double
   misfit (int link, const UnpackedPose& first, const UnpackedPose& second) const;
   double
-  cost (int segment, const RigidPose& pose) const;
+  cost (int segment, const DataTerm::Probe& probe, const UnpackedPose& own) const;
   void
-  findVisibleSegments (const std::vector<RigidPose>& poses);
+  enterPoses (const std::vector<RigidPose>& poses);
+  bool
+  isOpen (int segment) const;
   bool
   improve (int segment,
            const std::vector<RigidPose>& poses,
@@ -90,7 +92,9 @@ private:
   std::vector<RigidPose> common_;
   double flow_worth_{0.0};
   std::vector<char> moving_;          ///< per segment: may it change? empty = all may
+  std::vector<char> moved_;           ///< per segment: did it change in the last round?
   std::vector<UnpackedPose> present_; ///< poses of the round
+  std::vector<DataTerm::Probe> probed_; ///< at them
   std::vector<char> visible_; ///< per segment: mostly visible at its present pose
 };
 

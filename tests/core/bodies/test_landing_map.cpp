@@ -18,7 +18,9 @@ protected:
   occupied (const MotionState& state, int segment, int body)
   {
     const DataTerm data = scene_.data();
-    return LandingMap (data, state, {}, 1).occupiedShare (data, segment, body);
+    LandingMap map (data, {});
+    map.enter (state, 1);
+    return map.occupiedShare (data, segment, body);
   }
 
   /** The covered tile in a body of its own, which lands on a tile of the wall. */
@@ -96,6 +98,22 @@ TEST_F (LandingMapTest, WhatFloatsBeforeOrBehindTheSurfaceOccupiesNothing)
     state.poses[0] = test::turnAbout ({0, 0, 0}, {0, 0, 0}, {0, 0, off});
     EXPECT_EQ (occupied (state, test::kCovered, 2), 0.0) << off;
     EXPECT_EQ (occupied (scene_.solved(), test::kFree, 0), 0.0);
+  }
+}
+
+TEST_F (LandingMapTest, AnotherStateTakesThePlaceOfTheFirst)
+{
+  const MotionState apart = onTheFreeTile();
+  MotionState together = apart;
+  together.body_of[test::kCovered] = 0;
+  const DataTerm data = scene_.data();
+  LandingMap renewed (data, {});
+  for (const MotionState* state : {&apart, &together, &apart}) {
+    renewed.enter (*state, 2);
+    for (int segment = 0; segment < 48; ++segment)
+      for (const int body : {0, 1, 2})
+        EXPECT_EQ (renewed.occupiedShare (data, segment, body),
+                   occupied (*state, segment, body));
   }
 }
 

@@ -24,6 +24,7 @@ listValues (SolveTuning& tuning, TunedValues& values)
       {"solve.enough_jumps", &tuning.enough_jumps, 0, 1},
       {"solve.start_level", &tuning.start_level, 0, 10},
       {"solve.later_iterations", &tuning.later_iterations, 1, 1000},
+      {"solve.finest_iterations", &tuning.finest_iterations, 1, 1000},
       {"solve.tolerance_share", &tuning.tolerance_share, 1e-6, 1}};
   values.insert (values.end(), own.begin(), own.end());
 }
