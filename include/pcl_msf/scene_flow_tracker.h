@@ -9,14 +9,20 @@
 #include <pcl_msf/rgbd_frame.h>
 
 #include <deque>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace pcl_msf {
 
+struct FollowedMotion;
+
 /** \brief How a SceneFlowTracker uses its window. */
 struct PCL_MSF_EXPORT TrackerParameters {
-  int window{4};               ///< frames kept and solved jointly, [2, 16]
+  bool joint{false}; ///< solve a window of frames jointly (section 3.1): about a third
+                     ///< more accurate, ten times slower. Else each frame is followed
+                     ///< from the reference, from where its bodies should be by now
+  int window{4};     ///< frames kept and solved jointly, [2, 16]
   double least_visible{0.5};   ///< share of the reference's points seen in the newest
                                ///< frame below which the window begins anew, [0, 1]
   double least_explained{0.5}; ///< share of the newest frame's points that a segment of
@@ -110,6 +116,7 @@ public:
 
 private:
   struct Window;
+  struct Following;
 
   Window
   grow () const;
@@ -121,6 +128,16 @@ private:
   mergedLabels () const;
   void
   solve (Window window);
+  void
+  follow (Window window);
+  FollowedMotion
+  predictMotion () const;
+  FollowedMotion
+  predictAnew (const Oversegmentation& segments) const;
+  int
+  dominantBody () const;
+  void
+  adopt (Window window, MultiframeSceneFlow result);
   double
   visibleShare () const;
   void
@@ -135,8 +152,9 @@ private:
   Oversegmentation segments_;
   MultiframeSceneFlow result_;
   RigidPose world_from_reference_;
-  std::vector<long> indices_; ///< per frame of the window
-  bool explained_{true};      ///< the newest frame, by the reference
+  std::vector<long> indices_;                  ///< per frame of the window
+  std::shared_ptr<const Following> following_; ///< null: the next frame is looked for
+  bool explained_{true};                       ///< the newest frame, by the reference
 };
 
 } // namespace pcl_msf

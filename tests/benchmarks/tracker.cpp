@@ -8,6 +8,7 @@
 
 #include <pcl_msf/evaluation/trajectory_errors.h>
 #include <pcl_msf/io/data_folder.h>
+#include <pcl_msf/io/float_files.h>
 #include <pcl_msf/multiframe_estimator.h>
 #include <pcl_msf/scene_flow_estimator.h>
 #include <pcl_msf/scene_flow_tracker.h>
@@ -97,21 +98,63 @@ trackerParameters (const Options& options, bool merge)
   return parameters;
 }
 
-Poses
-ofTracker (const std::vector<RgbdFrame>& frames, bool merge, const Options& options)
+/** Mean end-point error of the flow from the first frame, where it is visible. */
+double
+endPointError (const SceneFlow& scene, const std::string& folder, int frame)
 {
-  SceneFlowTracker tracker (
-      trackerParameters (options, merge), segmentation (options), {}, {}, {});
+  const std::string file = folder + "/gt/flow_0_" + std::to_string (frame) + ".flo";
+  if (!std::filesystem::exists (file))
+    return std::nan ("");
+  const cv::Mat truth = io::readFlow (file);
+  double sum = 0.0;
+  int count = 0;
+  for (int y = 0; y < truth.rows; ++y)
+    for (int x = 0; x < truth.cols; ++x) {
+      const cv::Vec2f off =
+          scene.flow.at<cv::Vec2f> (y, x) - truth.at<cv::Vec2f> (y, x);
+      if (scene.visibility.at<unsigned char> (y, x) != Visible ||
+          !(std::hypot (off[0], off[1]) < 1e6f))
+        continue;
+      sum += std::hypot (off[0], off[1]);
+      ++count;
+    }
+  return sum / count;
+}
+
+Poses
+ofTracker (const std::vector<RgbdFrame>& frames,
+           const TrackerParameters& parameters,
+           const Options& options,
+           const std::string& folder)
+{
+  SolverParameters solver;
+  solver.threads = 1;
+  SceneFlowTracker tracker (parameters, segmentation (options), {}, solver, {});
   Poses poses;
+  std::string errors;
   for (const RgbdFrame& frame : frames) {
     tracker.add (frame);
     poses.push_back (tracker.cameraPose());
+    if (tracker.frames() > 1 && tracker.firstFrame() == 0) {
+      char text[32];
+      std::snprintf (text,
+                     sizeof text,
+                     " %.3f",
+                     endPointError (tracker.sceneFlow(),
+                                    folder,
+                                    static_cast<int> (poses.size()) - 1));
+      errors += text;
+    }
   }
+  std::printf ("end-point errors, px:%s\n", errors.c_str());
   return poses;
 }
 
 void
-printAccuracy (const std::string& name, const io::DataFolder& folder, Options options)
+printAccuracy (const std::string& name,
+               const std::string& path,
+               const io::DataFolder& folder,
+               Options options)
 {
   std::vector<RgbdFrame> frames;
   Poses truth{RigidPose{}};
@@ -144,9 +187,12 @@ printAccuracy (const std::string& name, const io::DataFolder& folder, Options op
   const std::string n = std::to_string (options.window);
   row ("frame to frame", [&] { return ofWindows (frames, 2, options); });
   row ("windows of " + n, [&] { return ofWindows (frames, options.window, options); });
-  row ("tracker, " + n, [&] { return ofTracker (frames, false, options); });
-  row ("tracker, " + n + ", merging",
-       [&] { return ofTracker (frames, true, options); });
+  row ("tracker, joint " + n, [&] {
+    TrackerParameters joint = trackerParameters (options, false);
+    joint.joint = true;
+    return ofTracker (frames, joint, options, path);
+  });
+  row ("tracker", [&] { return ofTracker (frames, {}, options, path); });
 }
 
 /** Back and forth over the folder, as an endless recording. */
@@ -180,7 +226,7 @@ run (const std::string& path, const Options& options)
   if (options.frames > folder.frames())
     printMemory (name, folder, options);
   else
-    printAccuracy (name, folder, options);
+    printAccuracy (name, path, folder, options);
 }
 
 } // namespace

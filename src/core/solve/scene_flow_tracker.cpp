@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/segments/label_use.h"
+#include "core/solve/tracker_window.h"
 #include "core/solve/window_solve.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/scene_flow_estimator.h>
-#include <pcl_msf/scene_flow_tracker.h>
 
 #include <algorithm>
 #include <map>
@@ -43,17 +43,6 @@ knownSteps (const MultiframeSceneFlow& result,
 }
 
 } // namespace
-
-/** What is solved next. */
-struct SceneFlowTracker::Window {
-  std::deque<RgbdFrame> frames;
-  std::vector<long> indices; ///< per frame
-  std::vector<int>
-      former; ///< per frame but the new one, its place in the former window
-  Oversegmentation segments;
-  std::vector<int> origin; ///< per segment, its number in the former window or -1
-  RigidPose world_from_reference;
-};
 
 bool
 TrackerParameters::isValid (std::string* why) const
@@ -165,7 +154,7 @@ SceneFlowTracker::slide() const
   next.frames.erase (next.frames.begin() + 1);
   next.indices.erase (next.indices.begin() + 1);
   next.former.erase (next.former.begin() + 1);
-  if (!tracker_.merge_segments)
+  if (!tracker_.merge_segments || !tracker_.joint)
     return next;
   const std::vector<int> merged = mergedLabels();
   cv::Mat labels = segments_.labels().clone();
@@ -203,6 +192,13 @@ SceneFlowTracker::add (const RgbdFrame& frame)
   }
   SceneFlowEstimator (energy_, solver_)
       .requireUsable (frames_.front(), frame, segments_);
+  if (!tracker_.joint) {
+    Window window = !explained_ ? beginAnew() : frames() > 1 ? slide() : grow();
+    window.frames.push_back (frame);
+    window.indices.push_back (indices_.back() + 1);
+    follow (std::move (window));
+    return;
+  }
   const bool full = frames() == tracker_.window;
   Window window = !explained_ || (full && frames() == 2) ? beginAnew()
                   : full                                 ? slide()
@@ -229,13 +225,20 @@ SceneFlowTracker::solve (Window window)
   const double covered =
       labelledShare (joint.labelsIn (static_cast<int> (frames.size()) - 1),
                      frames.back().levels()[0].inverse_depth);
+  adopt (std::move (window), std::move (result));
+  explained_ = explained_ && covered >= tracker_.least_explained;
+}
+
+/** A solved window becomes the present one. */
+void
+SceneFlowTracker::adopt (Window window, MultiframeSceneFlow result)
+{
   result_ = std::move (result);
   frames_ = std::move (window.frames);
   indices_ = std::move (window.indices);
-  segments_ = window.segments;
+  segments_ = std::move (window.segments);
   world_from_reference_ = window.world_from_reference;
-  explained_ =
-      covered >= tracker_.least_explained && visibleShare() >= tracker_.least_visible;
+  explained_ = visibleShare() >= tracker_.least_visible;
 }
 
 } // namespace pcl_msf

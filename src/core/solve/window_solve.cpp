@@ -182,22 +182,23 @@ WindowSolve::windowSchedule() const
 MultiframeSceneFlow
 WindowSolve::run (const RigidPose& guess, const std::vector<KnownStep>& known)
 {
-  solve (guess, known, isPair() ? pairSchedule (0) : windowSchedule());
+  const bool follows = followed_ && startFollowing();
+  if (!follows)
+    start (guess, known);
+  solve (follows ? followSchedule() : isPair() ? pairSchedule (0) : windowSchedule());
   return finish();
 }
 
 void
 WindowSolve::solve (const RigidPose& guess, int finest_level)
 {
-  solve (guess, {}, pairSchedule (finest_level));
+  start (guess, {});
+  solve (pairSchedule (finest_level));
 }
 
 void
-WindowSolve::solve (const RigidPose& guess,
-                    const std::vector<KnownStep>& known,
-                    const std::vector<Round>& schedule)
+WindowSolve::solve (const std::vector<Round>& schedule)
 {
-  start (guess, known);
   report_.start_seconds = monitor_.seconds();
   begin_ = 0.0;
   share_ = 1.0;
@@ -228,6 +229,7 @@ WindowSolve::start (const RigidPose& guess, const std::vector<KnownStep>& known)
 {
   if (isPair()) {
     measureNoise();
+    scene_.change = {};
     const int at = std::min (scene_.tuning.solve.start_level, levels_ - 1);
     std::vector<RigidPose> poses =
         pair_start_.run (carryLabels (at)[pairs_.reference()], at, guess, given_start_);

@@ -13,6 +13,15 @@
 
 namespace pcl_msf {
 
+/** \brief What an earlier frame told about the reference's motions, for a later one. */
+struct FollowedMotion {
+  std::vector<int> body_of; ///< per segment
+  /** Per guess, per body: where each may be. The best one is taken. */
+  std::vector<std::vector<RigidPose>> guesses;
+  std::vector<SegmentLink> links; ///< empty: not known yet
+  CorrelationAreas areas;         ///< of that frame's residuals
+};
+
 /** \brief One estimation over two frames (section 3) or more (section 3.1), from start
  * to results: a start, then a schedule of rounds.
  *
@@ -40,6 +49,15 @@ public:
   startFrom (const std::vector<RigidPose>& poses)
   {
     given_start_ = poses;
+  }
+
+  /** \brief Two frames: has run () begin at half resolution with motions and bodies
+   * that are nearly known, and look for others only where they leave something
+   * unexplained; where that is too much, it begins as ever, at the dominant motion. */
+  void
+  follow (FollowedMotion motion)
+  {
+    followed_ = std::make_unique<FollowedMotion> (std::move (motion));
   }
 
   /** \brief Two frames: run () down to a level, without a result; what a window of more
@@ -95,14 +113,22 @@ private:
   addBodies (std::vector<Round>& rounds) const;
   std::vector<Round>
   windowSchedule () const;
+  std::vector<Round>
+  followSchedule () const;
   void
-  solve (const RigidPose& guess,
-         const std::vector<KnownStep>& known,
-         const std::vector<Round>& schedule);
+  solve (const std::vector<Round>& schedule);
   void
   measureNoise ();
   void
   start (const RigidPose& guess, const std::vector<KnownStep>& known);
+  bool
+  startFollowing ();
+  void
+  compareExposure (int level, const SegmentPixels& points);
+  void
+  takeBestGuesses ();
+  bool
+  partLost ();
   void
   round (const Round& round);
   void
@@ -150,7 +176,8 @@ private:
   SolveMonitor monitor_;
   WindowScene scene_;
   PairStart pair_start_;
-  std::vector<RigidPose> given_start_; ///< in place of a search; empty = search
+  std::vector<RigidPose> given_start_;       ///< in place of a search; empty = search
+  std::unique_ptr<FollowedMotion> followed_; ///< likewise
   WindowState state_;
   std::unique_ptr<WindowLevel> level_; ///< the present one
   Report report_;

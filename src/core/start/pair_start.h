@@ -6,6 +6,7 @@
 #include "core/start/flow_hypotheses.h"
 #include <pcl_msf/parameters.h>
 
+#include <utility>
 #include <vector>
 
 namespace pcl_msf {
@@ -29,6 +30,21 @@ public:
        const RigidPose& guess,
        const std::vector<RigidPose>& given);
 
+  /** \brief In place of run (): poses that many segments share. */
+  void
+  setCommon (std::vector<RigidPose> poses)
+  {
+    common_ = std::move (poses);
+  }
+
+  /** \brief Which segments do not fit the current frame at these poses. */
+  std::vector<char>
+  unexplained (const DataTerm& probes, const std::vector<RigidPose>& poses) const;
+
+  /** \brief Links of the reference's segments; what run () begins with. */
+  void
+  linkSegments (const cv::Mat& labels, int at, const SegmentPixels& points);
+
   /** \brief Lets segments jump to poses that many share, and to their neighbours'. */
   void
   proposeAgain (const WindowLevel& level, std::vector<RigidPose>& poses) const;
@@ -38,8 +54,6 @@ public:
   proposeToLost (const WindowLevel& level, std::vector<RigidPose>& poses) const;
 
 private:
-  void
-  linkSegments (const cv::Mat& labels, int at, const SegmentPixels& points);
   FlowHypotheses
   lift (const CoarseFlow& flow,
         int at,
@@ -75,8 +89,6 @@ private:
   compareExposure (const RigidPose& pose, int at, SegmentPixels& points);
   double
   lostShare (const DataTerm& probes, const std::vector<RigidPose>& poses) const;
-  std::vector<char>
-  unexplained (const DataTerm& probes, const std::vector<RigidPose>& poses) const;
 
   WindowScene& scene_;
   const EnergyParameters& energy_;

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/segments/label_use.h"
+#include "core/solve/tracker_window.h"
+#include "core/solve/window_solve.h"
+#include <pcl_msf/scene_flow_tracker.h>
+
+#include <algorithm>
+
+/* SceneFlowTracker that follows the reference frame by frame. */
+namespace pcl_msf {
+
+/** What the last frame told. */
+struct SceneFlowTracker::Following {
+  WindowState state;             ///< of the reference and the newest frame
+  std::vector<RigidPose> before; ///< per segment, to the frame before that one
+  std::vector<SegmentLink> links;
+  CorrelationAreas areas;
+  cv::Mat labels; ///< of the segments, carried to the newest frame
+
+  /** Motion of a segment between the last two frames. */
+  RigidPose
+  lastStep (int segment) const
+  {
+    const RigidPose& now = state.poses[0][state.body_of[segment]];
+    return before.empty() ? now : now * before[segment].inverse();
+  }
+};
+
+namespace {
+
+/** Per body, its first segment. */
+std::vector<int>
+firstSegments (const WindowState& state)
+{
+  std::vector<int> first (state.bodies(), -1);
+  for (std::size_t k = 0; k < state.body_of.size(); ++k)
+    if (first[state.body_of[k]] < 0)
+      first[state.body_of[k]] = static_cast<int> (k);
+  return first;
+}
+
+/** Per new segment, the label that most of its points bear in an image; -1 = none. */
+std::vector<int>
+mostFrequent (const cv::Mat& labels, int segments, const cv::Mat& image, int values)
+{
+  cv::Mat count (segments, values, CV_32SC1, cv::Scalar (0));
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x)
+      if (labels.at<int> (y, x) >= 0 && image.at<int> (y, x) >= 0)
+        ++count.at<int> (labels.at<int> (y, x), image.at<int> (y, x));
+  std::vector<int> result (segments, -1);
+  for (int k = 0; k < segments; ++k) {
+    const int* row = count.ptr<int> (k);
+    const int* most = std::max_element (row, row + values);
+    result[k] = *most > 0 ? static_cast<int> (most - row) : -1;
+  }
+  return result;
+}
+
+} // namespace
+
+/** The bodies as they were, where they would be at their last speed or at rest. */
+FollowedMotion
+SceneFlowTracker::predictMotion() const
+{
+  const Following& last = *following_;
+  FollowedMotion motion{last.state.body_of, {{}, {}}, last.links, last.areas};
+  for (const int k : firstSegments (last.state)) {
+    const RigidPose& pose = last.state.poses[0][last.state.body_of[k]];
+    motion.guesses[0].push_back (last.lastStep (k) * pose);
+    motion.guesses[1].push_back (pose);
+  }
+  return motion;
+}
+
+/** The same for a new reference, whose segments belong to the bodies that they show. */
+FollowedMotion
+SceneFlowTracker::predictAnew (const Oversegmentation& segments) const
+{
+  const Following& last = *following_;
+  const std::vector<int> former =
+      mostFrequent (segments.labels(),
+                    segments.size(),
+                    last.labels,
+                    static_cast<int> (last.state.body_of.size()));
+  FollowedMotion motion{{}, {{}, {}}, {}, last.areas};
+  for (const int k : firstSegments (last.state)) {
+    motion.guesses[0].push_back (last.lastStep (k));
+    motion.guesses[1].push_back (RigidPose{});
+  }
+  for (const int k : former)
+    motion.body_of.push_back (k < 0 ? dominantBody() : last.state.body_of[k]);
+  return motion;
+}
+
+/** The body of most segments. */
+int
+SceneFlowTracker::dominantBody() const
+{
+  std::vector<int> segments (following_->state.bodies(), 0);
+  for (const int body : following_->state.body_of)
+    ++segments[body];
+  return static_cast<int> (std::max_element (segments.begin(), segments.end()) -
+                           segments.begin());
+}
+
+/** Solves from the reference to the window's newest frame; a window of another
+ * reference than the last one begins anew. */
+void
+SceneFlowTracker::follow (Window window)
+{
+  const bool anew = window.indices.front() != indices_.front();
+  const std::vector<RgbdFrame> frames (window.frames.begin(), window.frames.end());
+  WindowSolve solve (
+      frames, 0, window.segments, energy_, solver_, multiframe_, currentTuning());
+  if (following_)
+    solve.follow (anew ? predictAnew (window.segments) : predictMotion());
+  MultiframeSceneFlow result =
+      solve.run (anew ? RigidPose{} : sceneFlow().dominant_motion);
+  auto now = std::make_shared<Following>();
+  now->state = solve.state();
+  now->links = solve.scene().links;
+  now->areas = solve.scene().noise.areas;
+  now->labels = solve.labelsIn (1);
+  if (!anew && following_)
+    for (std::size_t k = 0; k < following_->state.body_of.size(); ++k)
+      now->before.push_back (following_->state.poses[0][following_->state.body_of[k]]);
+  const bool known = result.frames.back().report.converged;
+  const double covered =
+      labelledShare (now->labels, frames.back().levels()[0].inverse_depth);
+  adopt (std::move (window), std::move (result));
+  following_ = known ? std::move (now) : nullptr;
+  explained_ = explained_ && known && covered >= tracker_.least_explained;
+}
+
+} // namespace pcl_msf

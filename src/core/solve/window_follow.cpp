@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/solve/window_solve.h"
+#include "core/window/exposure.h"
+
+#include <algorithm>
+#include <numeric>
+
+/* WindowSolve of two frames whose motions are nearly known. */
+namespace pcl_msf {
+
+namespace {
+
+/** The bodies of most segments first. */
+std::vector<RigidPose>
+commonPoses (const WindowState& state, int most)
+{
+  std::vector<int> segments (state.bodies(), 0);
+  for (const int body : state.body_of)
+    ++segments[body];
+  std::vector<int> order (segments.size());
+  std::iota (order.begin(), order.end(), 0);
+  std::stable_sort (order.begin(), order.end(), [&] (int a, int b) {
+    return segments[a] > segments[b];
+  });
+  order.resize (std::min<std::size_t> (order.size(), most));
+  std::vector<RigidPose> poses;
+  for (const int body : order)
+    poses.push_back (state.poses[0][body]);
+  return poses;
+}
+
+std::vector<RigidPose>
+posesPerSegment (const WindowState& state)
+{
+  std::vector<RigidPose> poses;
+  for (const int body : state.body_of)
+    poses.push_back (state.poses[0][body]);
+  return poses;
+}
+
+} // namespace
+
+std::vector<WindowSolve::Round>
+WindowSolve::followSchedule() const
+{
+  const SolveTuning& tuning = scene_.tuning.solve;
+  const int coarsest = std::min (tuning.start_level, levels_ - 1);
+  const int few = std::min (user_.max_iterations, tuning.later_iterations);
+  std::vector<Round> rounds;
+  for (int level = coarsest; level >= 0; --level) {
+    rounds.push_back ({"follow",
+                       level,
+                       level == 0 ? 0.6 : 0.2,
+                       level == 0 ? 1.0 : 0.6,
+                       level == 0 ? tuning.finest_iterations : few});
+    rounds.back().anew = level < coarsest; // startFollowing () entered that one
+    rounds.back().rescale_noise = true;
+    rounds.back().merge = level > 0 || coarsest == 0;
+  }
+  rounds.back().last = true;
+  return rounds;
+}
+
+/** The exposure, the level of the first round, bodies where they may be now. \return
+ * does that explain the frame? */
+bool
+WindowSolve::startFollowing()
+{
+  measureNoise();
+  scene_.noise.areas = followed_->areas;
+  scene_.links = followed_->links;
+  const int at = std::min (scene_.tuning.solve.start_level, levels_ - 1);
+  const std::vector<cv::Mat> labels = carryLabels (at);
+  const cv::Mat& reference = labels[pairs_.reference()];
+  const SegmentPixels points = probePoints (frames_[pairs_.reference()].levels()[at],
+                                            reference,
+                                            scene_,
+                                            pointOptions (scene_, at));
+  if (scene_.links.empty())
+    pair_start_.linkSegments (reference, at, points);
+  state_.body_of = followed_->body_of;
+  state_.weights.assign (scene_.links.size(), 1.0);
+  state_.poses = {followed_->guesses.front()};
+  compareExposure (at, points);
+  level_ = std::make_unique<WindowLevel> (scene_, at, labels, energy_);
+  takeBestGuesses();
+  return partLost();
+}
+
+/** At the present poses. */
+void
+WindowSolve::compareExposure (int level, const SegmentPixels& points)
+{
+  const FrameLevel& current = frames_[1 - pairs_.reference()].levels()[level];
+  if (current.intensity.empty())
+    return;
+  const MatchedIntensities matches =
+      matchIntensities (points, state_.ofPair (0), current);
+  scene_.change = fitBrightnessChange (
+      matches.reference, matches.current, scene_.tuning.frame.brightness);
+}
+
+/** Per body, the guess at which its points fit best. */
+void
+WindowSolve::takeBestGuesses()
+{
+  const DataTerm& probes = level_->probes (0);
+  const auto& guesses = followed_->guesses;
+  std::vector<std::vector<double>> cost (guesses.size(),
+                                         std::vector<double> (state_.bodies(), 0.0));
+  for (std::size_t g = 0; g < guesses.size(); ++g)
+    for (int k = 0; k < scene_.segments; ++k) {
+      const int body = state_.body_of[k];
+      const DataTerm::Probe probe = probes.probe (k, guesses[g][body]);
+      cost[g][body] +=
+          probe.cost + probe.hidden * probe.weight * probes.isolatedHiddenCost();
+    }
+  for (int b = 0; b < state_.bodies(); ++b)
+    for (std::size_t g = 1; g < guesses.size(); ++g)
+      if (cost[g][b] < cost[0][b]) {
+        cost[0][b] = cost[g][b];
+        state_.poses[0][b] = guesses[g][b];
+      }
+}
+
+/** Segments that do not fit with their bodies leave them, to a neighbour's motion or
+ * one of their own. \return are they few? */
+bool
+WindowSolve::partLost()
+{
+  std::vector<RigidPose> poses = posesPerSegment (state_);
+  const std::vector<char> lost = pair_start_.unexplained (level_->probes (0), poses);
+  const auto count = std::count (lost.begin(), lost.end(), 1);
+  if (static_cast<double> (count) > scene_.tuning.solve.most_lost * scene_.segments)
+    return false;
+  pair_start_.setCommon (commonPoses (state_, scene_.tuning.bodies.assignment.largest));
+  pair_start_.proposeToLost (*level_, poses);
+  for (int k = 0; k < scene_.segments; ++k)
+    if (lost[k] != 0) {
+      state_.body_of[k] = state_.bodies();
+      state_.poses[0].push_back (poses[k]);
+    }
+  state_.renumberBodies();
+  return true;
+}
+
+} // namespace pcl_msf
