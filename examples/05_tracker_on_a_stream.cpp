@@ -12,9 +12,6 @@ int
 main ()
 {
   pcl_msf::PiecewiseRigidTracker<pcl::PointXYZRGBA> tracker;
-  pcl_msf::TrackerParameters parameters;
-  parameters.window = 3;
-  tracker.setTrackerParameters (parameters);
 
   // A sensor's thread fills the queue and is never kept waiting: its callback calls
   // queue.push (cloud), which drops the oldest cloud when the tracker is slower.

@@ -17,34 +17,39 @@ namespace pcl_msf {
 
 struct FollowedMotion;
 
-/** \brief How a SceneFlowTracker uses its window. */
+/** \brief How a SceneFlowTracker goes from frame to frame. */
 struct PCL_MSF_EXPORT TrackerParameters {
-  bool joint{false}; ///< solve a window of frames jointly (section 3.1): about a third
-                     ///< more accurate, ten times slower. Else each frame is followed
-                     ///< from the reference, from where its bodies should be by now
-  int window{4};     ///< frames kept and solved jointly, [2, 16]
+  int window{0}; ///< 0: each frame is followed from the reference, from where its
+                 ///< bodies should be by now; [2, 16]: so many frames are kept and
+                 ///< solved jointly (section 3.1), which takes five times as long
   double least_visible{0.5};   ///< share of the reference's points seen in the newest
                                ///< frame below which the window begins anew, [0, 1]
   double least_explained{0.5}; ///< share of the newest frame's points that a segment of
                                ///< the reference covers below which it begins anew
-  bool merge_segments{false};  ///< segments that moved as one rigid body over a full
-                               ///< window become one, until the reference is given up
-                               ///< (they never split). Faster, but what a window takes
-                               ///< for one stays one: not for scenes with slow objects
+  bool merge_segments{
+      false}; ///< of a window: segments that moved as one rigid body over a full
+              ///< window become one, until the reference is given up
+              ///< (they never split). Faster, but what a window takes
+              ///< for one stays one: not for scenes with slow objects
 
   bool
   isValid (std::string* why = nullptr) const;
 };
 
-/** \brief Scene flow of an endless sequence: a window slides over it, frame by frame.
+/** \brief Scene flow of an endless sequence, frame by frame, from a reference that
+ * stays.
  *
- * The oldest frame of the window is the reference: its points and segments are
- * followed. Each new frame is solved jointly with those kept (section 3.1); motions
+ * The first frame is the reference: its points and segments are followed. Each new
+ * frame is solved from where the reference's bodies should be by now, at their last
+ * speed or at rest; only segments that do not fit there are looked for, and when they
+ * are many, the whole frame. What the frames measure is averaged into the reference's
+ * depth. Once the newest frame and the reference show too little of each other, or the
+ * motion is lost, the newest frame becomes the reference, with segments of its own.
+ *
+ * With a window, the frames kept are solved jointly instead (section 3.1); motions
  * between frames that the window held before are where it starts. When the window is
- * full, the oldest frame beside the reference leaves, so that motion builds up from a
- * reference that stays. Once the newest frame and the reference show too little of each
- * other, the newest frame becomes the reference of a new window, with segments of its
- * own. Windows of two frames go from frame to frame.
+ * full, the oldest frame beside the reference leaves. Windows of two frames go from
+ * frame to frame.
  *
  * Memory does not grow with the number of frames. Not thread-safe; different trackers
  * are independent.
@@ -71,7 +76,9 @@ public:
   void
   reset ();
 
-  /** \brief Frames in the window. */
+  /** \brief Frames in the window; without one at most two, the reference and the
+   * newest.
+   */
   int
   frames () const
   {

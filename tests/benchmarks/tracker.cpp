@@ -188,8 +188,7 @@ printAccuracy (const std::string& name,
   row ("frame to frame", [&] { return ofWindows (frames, 2, options); });
   row ("windows of " + n, [&] { return ofWindows (frames, options.window, options); });
   row ("tracker, joint " + n, [&] {
-    TrackerParameters joint = trackerParameters (options, false);
-    joint.joint = true;
+    const TrackerParameters joint = trackerParameters (options, false);
     return ofTracker (frames, joint, options, path);
   });
   row ("tracker", [&] { return ofTracker (frames, {}, options, path); });

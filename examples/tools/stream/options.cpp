@@ -73,7 +73,11 @@ declareStreamOptions (CLI::App& app, StreamOptions& options)
   addSourceOptions (app, options);
   addMethodOptions (app, options);
   beginGroup (app, "Tracking");
-  addNumber (app, "--window", "N", "frames solved jointly, 2 to 16", options.window);
+  addNumber (app,
+             "--window",
+             "N",
+             "frames solved jointly, 2 to 16; 0 = each follows the reference: faster",
+             options.window);
   addMultiframeOptions (app, options);
   app.final_callback ([&options] {
     checkSettings (options);

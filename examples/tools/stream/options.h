@@ -12,7 +12,7 @@ namespace pcl_msf::tool {
 
 /** \brief Everything that the command line of pcl_msf_stream says. */
 struct StreamOptions : WindowSettings {
-  StreamOptions() { window = 4; }
+  StreamOptions() { window = 0; }
 
   std::string source; ///< a recording's folder or its rgb.txt
   io::DatasetOptions reading;

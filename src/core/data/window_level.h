@@ -35,7 +35,7 @@ struct WindowScene {
   std::vector<BrightnessChange> exposure{};
   double falloff{0.0}; ///< of brightness towards the corners, see fitFalloff
   std::unique_ptr<FlowEvidence> flow{}; ///< of the only pair; or none
-  cv::Mat fused_depth{}; ///< of the reference, level 0, see fuseInverseDepth; or empty
+  cv::Mat fused_depth{}; ///< of the reference, level 0, see DepthFusion; or empty
 };
 
 /** \brief How points of a level are made. */

@@ -21,13 +21,10 @@ bodyShapes (const SegmentPixels& points, const std::vector<int>& body_of, int bo
   }
   for (int b = 0; b < bodies; ++b)
     shapes[b].center /= std::max (1, count[b]);
-  for (int k = 0; k < points.segments(); ++k)
-    for (int i = points.begin[k]; i < points.begin[k + 1]; ++i) {
-      const Eigen::Vector3d d =
-          Eigen::Vector3d (points.x[i], points.y[i], points.z[i]) -
-          shapes[body_of[k]].center;
-      moment[body_of[k]] += d * d.transpose();
-    }
+  for (int k = 0; k < points.segments(); ++k) {
+    const Eigen::Vector3d d = points.centroid[k] - shapes[body_of[k]].center;
+    moment[body_of[k]] += points.size (k) * (points.spread[k] + d * d.transpose());
+  }
   for (int b = 0; b < bodies; ++b) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen (moment[b] /
                                                                 std::max (1, count[b]));

@@ -195,6 +195,30 @@ scalePoints (const PointScales& scales, int begin, int end, SegmentPixels& out)
                 tolerance[i]);
 }
 
+Eigen::Matrix3d
+spreadOf (const SegmentPixels& points, int segment)
+{
+  const Eigen::Vector3f center = points.centroid[segment].cast<float>();
+  const int begin = points.begin[segment];
+  const int end = points.begin[segment + 1];
+  float xx = 0.0f, xy = 0.0f, xz = 0.0f, yy = 0.0f, yz = 0.0f, zz = 0.0f;
+#pragma omp simd reduction(+ : xx, xy, xz, yy, yz, zz)
+  for (int i = begin; i < end; ++i) {
+    const float x = points.x[i] - center.x();
+    const float y = points.y[i] - center.y();
+    const float z = points.z[i] - center.z();
+    xx += x * x;
+    xy += x * y;
+    xz += x * z;
+    yy += y * y;
+    yz += y * z;
+    zz += z * z;
+  }
+  Eigen::Matrix3d moments;
+  moments << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  return moments / (end - begin);
+}
+
 } // namespace
 
 SegmentPixels
@@ -209,6 +233,7 @@ groupPixels (const FrameLevel& level,
     thin (options.max_per_segment, options.tuning.least_samples, out);
   resizeArrays (out);
   out.centroid.assign (segments, Eigen::Vector3d::Zero());
+  out.spread.assign (segments, Eigen::Matrix3d::Zero());
   std::atomic<int> brightness_count{0};
   std::atomic<int> icp_count{0};
   const PointScales scales = scalesOf (level, options);
@@ -222,8 +247,10 @@ groupPixels (const FrameLevel& level,
       brightness += out.brightness_scale[i] > 0.0f;
       icp += out.icp_scale[i] > 0.0f;
     }
-    if (out.size (k) > 0)
+    if (out.size (k) > 0) {
       out.centroid[k] /= out.size (k);
+      out.spread[k] = spreadOf (out, k);
+    }
     brightness_count += brightness;
     icp_count += icp;
   });

@@ -49,6 +49,8 @@ struct SegmentPixels {
   std::vector<float> depth_tolerance;    ///< of the z-test, 1 / metres
   float tolerance_sigmas{1.0f};          ///< standard deviations of the noise in it
   std::vector<Eigen::Vector3d> centroid; ///< metres; of the level's points
+  std::vector<Eigen::Matrix3d> spread;   ///< square metres; their second moments about
+                                         ///< the centroid
   int brightness_count{0};               ///< points with intensity
   int icp_count{0};                      ///< points with a normal
   CorrelationAreas areas;                ///< of the residuals, pixels of level 0

@@ -48,8 +48,10 @@ bool
 TrackerParameters::isValid (std::string* why) const
 {
   std::string problem;
-  if (window < 2 || window > 16)
-    problem = "window must be in [2, 16]";
+  if (window != 0 && (window < 2 || window > 16))
+    problem = "window must be 0 or in [2, 16]";
+  else if (merge_segments && window == 0)
+    problem = "merge_segments needs frames that are solved jointly: set window";
   else if (!isShare (least_visible))
     problem = "least_visible must be in [0, 1]";
   else if (!isShare (least_explained))
@@ -154,7 +156,7 @@ SceneFlowTracker::slide() const
   next.frames.erase (next.frames.begin() + 1);
   next.indices.erase (next.indices.begin() + 1);
   next.former.erase (next.former.begin() + 1);
-  if (!tracker_.merge_segments || !tracker_.joint)
+  if (!tracker_.merge_segments || tracker_.window == 0)
     return next;
   const std::vector<int> merged = mergedLabels();
   cv::Mat labels = segments_.labels().clone();
@@ -192,7 +194,7 @@ SceneFlowTracker::add (const RgbdFrame& frame)
   }
   SceneFlowEstimator (energy_, solver_)
       .requireUsable (frames_.front(), frame, segments_);
-  if (!tracker_.joint) {
+  if (tracker_.window == 0) {
     Window window = !explained_ ? beginAnew() : frames() > 1 ? slide() : grow();
     window.frames.push_back (frame);
     window.indices.push_back (indices_.back() + 1);

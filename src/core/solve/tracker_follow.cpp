@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/base/parallel_for.h"
 #include "core/segments/label_use.h"
 #include "core/solve/tracker_window.h"
 #include "core/solve/window_solve.h"
+#include "core/window/depth_fusion.h"
 #include <pcl_msf/scene_flow_tracker.h>
 
 #include <algorithm>
+#include <utility>
 
 /* SceneFlowTracker that follows the reference frame by frame. */
 namespace pcl_msf {
@@ -16,7 +19,9 @@ struct SceneFlowTracker::Following {
   std::vector<RigidPose> before; ///< per segment, to the frame before that one
   std::vector<SegmentLink> links;
   CorrelationAreas areas;
-  cv::Mat labels; ///< of the segments, carried to the newest frame
+  std::vector<double> costs; ///< per segment
+  cv::Mat labels;            ///< of the segments, carried to the newest frame
+  DepthFusion depth;         ///< of the reference
 
   /** Motion of a segment between the last two frames. */
   RigidPose
@@ -65,12 +70,14 @@ FollowedMotion
 SceneFlowTracker::predictMotion() const
 {
   const Following& last = *following_;
-  FollowedMotion motion{last.state.body_of, {{}, {}}, last.links, last.areas};
+  FollowedMotion motion{
+      last.state.body_of, {{}, {}}, last.links, last.areas, last.costs, {}};
   for (const int k : firstSegments (last.state)) {
     const RigidPose& pose = last.state.poses[0][last.state.body_of[k]];
     motion.guesses[0].push_back (last.lastStep (k) * pose);
     motion.guesses[1].push_back (pose);
   }
+  motion.depth = last.depth.average();
   return motion;
 }
 
@@ -84,13 +91,15 @@ SceneFlowTracker::predictAnew (const Oversegmentation& segments) const
                     segments.size(),
                     last.labels,
                     static_cast<int> (last.state.body_of.size()));
-  FollowedMotion motion{{}, {{}, {}}, {}, last.areas};
+  FollowedMotion motion{{}, {{}, {}}, {}, last.areas, {}, {}};
   for (const int k : firstSegments (last.state)) {
     motion.guesses[0].push_back (last.lastStep (k));
     motion.guesses[1].push_back (RigidPose{});
   }
-  for (const int k : former)
+  for (const int k : former) {
     motion.body_of.push_back (k < 0 ? dominantBody() : last.state.body_of[k]);
+    motion.costs.push_back (k < 0 ? 0.0 : last.costs[k]);
+  }
   return motion;
 }
 
@@ -122,16 +131,30 @@ SceneFlowTracker::follow (Window window)
   now->state = solve.state();
   now->links = solve.scene().links;
   now->areas = solve.scene().noise.areas;
+  now->costs = solve.fit();
   now->labels = solve.labelsIn (1);
   if (!anew && following_)
     for (std::size_t k = 0; k < following_->state.body_of.size(); ++k)
       now->before.push_back (following_->state.poses[0][following_->state.body_of[k]]);
-  const bool known = result.frames.back().report.converged;
+  now->depth = !anew && following_
+                   ? following_->depth
+                   : DepthFusion (frames.front().levels()[0], window.segments.labels());
+  now->depth.add ({&frames.back().levels()[0], now->state.ofPair (0)},
+                  solve.scene().noise,
+                  currentTuning().window.fusion,
+                  threadCount (solver_.threads));
+  const Report& report = result.frames.back().report;
+  const bool known = report.converged;
+  const bool covered_lens = report.stop_reason == StopReason::NothingDetermined;
   const double covered =
       labelledShare (now->labels, frames.back().levels()[0].inverse_depth);
   adopt (std::move (window), std::move (result));
-  following_ = known ? std::move (now) : nullptr;
-  explained_ = explained_ && known && covered >= tracker_.least_explained;
+  explained_ = (explained_ && known && covered >= tracker_.least_explained) ||
+               (covered_lens && !anew);
+  if (known)
+    following_ = std::move (now);
+  else if (!covered_lens)
+    following_.reset();
 }
 
 } // namespace pcl_msf

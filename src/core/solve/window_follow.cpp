@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/base/parallel_for.h"
 #include "core/solve/window_solve.h"
 #include "core/window/exposure.h"
 
@@ -70,6 +71,7 @@ WindowSolve::startFollowing()
   measureNoise();
   scene_.noise.areas = followed_->areas;
   scene_.links = followed_->links;
+  scene_.fused_depth = followed_->depth;
   const int at = std::min (scene_.tuning.solve.start_level, levels_ - 1);
   const std::vector<cv::Mat> labels = carryLabels (at);
   const cv::Mat& reference = labels[pairs_.reference()];
@@ -124,18 +126,44 @@ WindowSolve::takeBestGuesses()
       }
 }
 
+/** Per segment, what a residual costs at the present poses, from the sample. */
+std::vector<double>
+WindowSolve::costsPerResidual() const
+{
+  const DataTerm& probes = level_->probes (0);
+  std::vector<double> costs (scene_.segments, 0.0);
+  parallelFor (scene_.threads, scene_.segments, 8, [&] (int k) {
+    const DataTerm::Probe probe = probes.probe (k, state_.poses[0][state_.body_of[k]]);
+    if (probe.weight > 0.0)
+      costs[k] = probe.cost / probe.weight + probe.hidden * probes.isolatedHiddenCost();
+  });
+  return costs;
+}
+
+/** Which segments fit worse than they did in the last frame, and not well. */
+std::vector<char>
+WindowSolve::lostSince (const std::vector<double>& costs) const
+{
+  const std::vector<double> now = costsPerResidual();
+  std::vector<char> lost (now.size(), 0);
+  for (std::size_t k = 0; k < now.size(); ++k)
+    lost[k] = now[k] > scene_.tuning.start.unexplained &&
+              now[k] > costs[k] + scene_.tuning.solve.more_cost;
+  return lost;
+}
+
 /** Segments that do not fit with their bodies leave them, to a neighbour's motion or
  * one of their own. \return are they few? */
 bool
 WindowSolve::partLost()
 {
-  std::vector<RigidPose> poses = posesPerSegment (state_);
-  const std::vector<char> lost = pair_start_.unexplained (level_->probes (0), poses);
+  const std::vector<char> lost = lostSince (followed_->costs);
   const auto count = std::count (lost.begin(), lost.end(), 1);
   if (static_cast<double> (count) > scene_.tuning.solve.most_lost * scene_.segments)
     return false;
+  std::vector<RigidPose> poses = posesPerSegment (state_);
   pair_start_.setCommon (commonPoses (state_, scene_.tuning.bodies.assignment.largest));
-  pair_start_.proposeToLost (*level_, poses);
+  pair_start_.proposeTo (lost, *level_, poses);
   for (int k = 0; k < scene_.segments; ++k)
     if (lost[k] != 0) {
       state_.body_of[k] = state_.bodies();

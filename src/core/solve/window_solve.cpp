@@ -230,6 +230,7 @@ WindowSolve::start (const RigidPose& guess, const std::vector<KnownStep>& known)
   if (isPair()) {
     measureNoise();
     scene_.change = {};
+    scene_.fused_depth = cv::Mat();
     const int at = std::min (scene_.tuning.solve.start_level, levels_ - 1);
     std::vector<RigidPose> poses =
         pair_start_.run (carryLabels (at)[pairs_.reference()], at, guess, given_start_);
@@ -286,6 +287,9 @@ WindowSolve::round (const Round& round)
     reassign();
     measureCorrelation (round.level);
   }
+  if (isPair() &&
+      round.level == std::min (scene_.tuning.solve.start_level, levels_ - 1))
+    fit_ = costsPerResidual();
   if (!round.last)
     return;
   if (assignHiddenSegments (

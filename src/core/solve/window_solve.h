@@ -20,6 +20,8 @@ struct FollowedMotion {
   std::vector<std::vector<RigidPose>> guesses;
   std::vector<SegmentLink> links; ///< empty: not known yet
   CorrelationAreas areas;         ///< of that frame's residuals
+  std::vector<double> costs;      ///< per segment, see WindowSolve::fit ()
+  cv::Mat depth; ///< of the reference, with what other frames measured; see DepthFusion
 };
 
 /** \brief One estimation over two frames (section 3) or more (section 3.1), from start
@@ -74,6 +76,12 @@ public:
   {
     return state_;
   }
+  /** \brief Two frames: per segment, what a residual cost at half resolution. */
+  const std::vector<double>&
+  fit () const
+  {
+    return fit_;
+  }
   const WindowScene&
   scene () const
   {
@@ -127,6 +135,10 @@ private:
   compareExposure (int level, const SegmentPixels& points);
   void
   takeBestGuesses ();
+  std::vector<double>
+  costsPerResidual () const;
+  std::vector<char>
+  lostSince (const std::vector<double>& costs) const;
   bool
   partLost ();
   void
@@ -179,6 +191,7 @@ private:
   std::vector<RigidPose> given_start_;       ///< in place of a search; empty = search
   std::unique_ptr<FollowedMotion> followed_; ///< likewise
   WindowState state_;
+  std::vector<double> fit_;
   std::unique_ptr<WindowLevel> level_; ///< the present one
   Report report_;
 };

@@ -72,17 +72,14 @@ void
 WindowSolve::fuseDepth()
 {
   const int reference = pairs_.reference();
-  std::vector<DepthSource> sources;
+  DepthFusion fusion (frames_[reference].levels()[0], segments_.labels());
   for (int f = 0; f < pairs_.frames(); ++f)
     if (f != reference)
-      sources.push_back (
-          {&frames_[f].levels()[0], state_.ofPair (pairs_.fromReference (f))});
-  scene_.fused_depth = fuseInverseDepth (frames_[reference].levels()[0],
-                                         segments_.labels(),
-                                         sources,
-                                         scene_.noise,
-                                         scene_.tuning.window.fusion,
-                                         scene_.threads);
+      fusion.add ({&frames_[f].levels()[0], state_.ofPair (pairs_.fromReference (f))},
+                  scene_.noise,
+                  scene_.tuning.window.fusion,
+                  scene_.threads);
+  scene_.fused_depth = fusion.average();
 }
 
 } // namespace pcl_msf

@@ -9,6 +9,7 @@
 #include "core/start/pose_proposals.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pcl_msf {
 
@@ -190,12 +191,20 @@ PairStart::proposeAgain (const WindowLevel& level, std::vector<RigidPose>& poses
 int
 PairStart::proposeToLost (const WindowLevel& level, std::vector<RigidPose>& poses) const
 {
+  return proposeTo (unexplained (level.probes (0), poses), level, poses);
+}
+
+int
+PairStart::proposeTo (std::vector<char> segments,
+                      const WindowLevel& level,
+                      std::vector<RigidPose>& poses) const
+{
   return propose (level.probes (0),
                   level.focalLength(),
                   {},
                   0.0,
                   scene_.tuning.start.proposals.later_rounds,
-                  unexplained (level.probes (0), poses),
+                  std::move (segments),
                   poses);
 }
 

@@ -37,10 +37,6 @@ public:
     common_ = std::move (poses);
   }
 
-  /** \brief Which segments do not fit the current frame at these poses. */
-  std::vector<char>
-  unexplained (const DataTerm& probes, const std::vector<RigidPose>& poses) const;
-
   /** \brief Links of the reference's segments; what run () begins with. */
   void
   linkSegments (const cv::Mat& labels, int at, const SegmentPixels& points);
@@ -52,8 +48,15 @@ public:
    * jumps there were */
   int
   proposeToLost (const WindowLevel& level, std::vector<RigidPose>& poses) const;
+  /** \brief The same for some segments. */
+  int
+  proposeTo (std::vector<char> segments,
+             const WindowLevel& level,
+             std::vector<RigidPose>& poses) const;
 
 private:
+  std::vector<char>
+  unexplained (const DataTerm& probes, const std::vector<RigidPose>& poses) const;
   FlowHypotheses
   lift (const CoarseFlow& flow,
         int at,

@@ -76,45 +76,58 @@ correction (const FrameLevel& level,
 
 } // namespace
 
-cv::Mat
-fuseInverseDepth (const FrameLevel& reference,
-                  const cv::Mat& labels,
-                  const std::vector<DepthSource>& sources,
+DepthFusion::DepthFusion (const FrameLevel& reference, const cv::Mat& labels)
+: camera_ (reference.camera), inverse_depth_ (reference.inverse_depth), labels_ (labels)
+{}
+
+void
+DepthFusion::add (const DepthSource& source,
                   const NoiseModel& noise,
                   const FusionTuning& tuning,
                   int threads)
 {
-  std::vector<std::vector<Turn>> turns;
-  for (const DepthSource& source : sources)
-    turns.push_back (unpack (source.motion.poses));
+  if (sums_.empty())
+    sums_ = cv::Mat (inverse_depth_.size(), CV_32FC2, cv::Scalar (1.0, 0.0));
+  const std::vector<Turn> turns = unpack (source.motion.poses);
   const auto sigma = static_cast<float> (noise.inverse_depth);
-  cv::Mat result = reference.inverse_depth.clone();
-  const PinholeCamera& camera = reference.camera;
-  parallelFor (threads, result.rows, 8, [&] (int y) {
-    for (int x = 0; x < result.cols; ++x) {
-      float& w = result.at<float> (y, x);
-      const int k = labels.at<int> (y, x);
-      if (k < 0 || w <= 0.0f || sigma <= 0.0f)
+  if (sigma <= 0.0f)
+    return;
+  const float gate = tuning.sigmas * std::hypot (sigma, sigma);
+  parallelFor (threads, sums_.rows, 8, [&] (int y) {
+    const int* labels = labels_.ptr<int> (y);
+    const float* reference = inverse_depth_.ptr<float> (y);
+    cv::Vec2f* sums = sums_.ptr<cv::Vec2f> (y);
+    const auto ray_y = static_cast<float> ((y - camera_.cy) / camera_.fy);
+    for (int x = 0; x < sums_.cols; ++x) {
+      const float w = reference[x];
+      if (labels[x] < 0 || w <= 0.0f)
         continue;
-      const Eigen::Vector3f ray (static_cast<float> ((x - camera.cx) / camera.fx),
-                                 static_cast<float> ((y - camera.cy) / camera.fy),
-                                 1.0f);
+      const Eigen::Vector3f ray (
+          static_cast<float> ((x - camera_.cx) / camera_.fx), ray_y, 1.0f);
+      const float change = correction (
+          *source.level, turns[source.motion.body_of[labels[x]]], ray, w, gate);
+      if (!std::isfinite (change))
+        continue;
       const float model = tuning.model_share * w;
       const float trust = sigma * sigma / (sigma * sigma + model * model);
-      float weights = 1.0f;
-      float sum = 0.0f;
-      for (std::size_t i = 0; i < sources.size(); ++i) {
-        const Turn& turn = turns[i][sources[i].motion.body_of[k]];
-        const float change = correction (
-            *sources[i].level, turn, ray, w, tuning.sigmas * std::hypot (sigma, sigma));
-        if (!std::isfinite (change))
-          continue;
-        weights += trust;
-        sum += trust * change;
-      }
-      w = std::max (w + sum / weights, 0.5f * w);
+      sums[x][0] += trust;
+      sums[x][1] += trust * change;
     }
   });
+}
+
+cv::Mat
+DepthFusion::average() const
+{
+  if (sums_.empty())
+    return {};
+  cv::Mat result = inverse_depth_.clone();
+  for (int y = 0; y < result.rows; ++y) {
+    float* w = result.ptr<float> (y);
+    const cv::Vec2f* sums = sums_.ptr<cv::Vec2f> (y);
+    for (int x = 0; x < result.cols; ++x)
+      w[x] = std::max (w[x] + sums[x][1] / sums[x][0], 0.5f * w[x]);
+  }
   return result;
 }
 

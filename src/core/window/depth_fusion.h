@@ -26,14 +26,29 @@ struct DepthSource {
  * by a share of the motion: as many measurements as frames reduce it. Each counts by
  * its variance, which for the sources includes what poses and interpolation leave;
  * those that differ by more than the noise explains see something else and do not
- * count. \param labels of the reference level \return CV_32FC1, 1 / metres, 0 where the
- * reference has none */
-cv::Mat
-fuseInverseDepth (const FrameLevel& reference,
-                  const cv::Mat& labels,
-                  const std::vector<DepthSource>& sources,
-                  const NoiseModel& noise,
-                  const FusionTuning& tuning,
-                  int threads);
+ * count. */
+class DepthFusion {
+public:
+  DepthFusion() = default;
+  /** \param reference level \param labels of it, -1 = none */
+  DepthFusion (const FrameLevel& reference, const cv::Mat& labels);
+
+  /** \brief Adds a frame's measurements. \param noise of the frames */
+  void
+  add (const DepthSource& source,
+       const NoiseModel& noise,
+       const FusionTuning& tuning,
+       int threads);
+
+  /** \brief CV_32FC1, 1 / metres, 0 where the reference has none; empty before a frame
+   * was added. */
+  cv::Mat
+  average () const;
+
+private:
+  PinholeCamera camera_;
+  cv::Mat inverse_depth_, labels_; ///< of the reference
+  cv::Mat sums_;                   ///< CV_32FC2: of weights, of weighted changes
+};
 
 } // namespace pcl_msf

@@ -91,23 +91,26 @@ TEST (SceneFlowTracker, SameFramesSameBits)
 {
   const test::AnalyticScene scene = standingRoom();
   std::vector<cv::Mat> flows;
-  for (const unsigned threads : {1U, 2U}) {
-    SolverParameters solver;
-    solver.threads = threads;
-    TrackerParameters parameters;
-    parameters.window = 3;
-    SceneFlowTracker tracker (parameters, {}, {}, solver, {});
-    for (const test::View& view : test::renderWindow (scene, 4))
-      tracker.add (scene.frame (view));
-    flows.push_back (tracker.sceneFlow().flow);
+  for (const int window : {3, 0})
+    for (const unsigned threads : {1U, 2U}) {
+      SolverParameters solver;
+      solver.threads = threads;
+      TrackerParameters parameters;
+      parameters.window = window;
+      SceneFlowTracker tracker (parameters, {}, {}, solver, {});
+      for (const test::View& view : test::renderWindow (scene, 4))
+        tracker.add (scene.frame (view));
+      flows.push_back (tracker.sceneFlow().flow);
+    }
+  for (const int first : {0, 2}) {
+    int different = 0;
+    for (int y = 0; y < flows[0].rows; ++y)
+      for (int x = 0; x < flows[0].cols; ++x)
+        different += std::memcmp (&flows[first].at<cv::Vec2f> (y, x),
+                                  &flows[first + 1].at<cv::Vec2f> (y, x),
+                                  sizeof (cv::Vec2f)) != 0;
+    EXPECT_EQ (different, 0);
   }
-  int different = 0;
-  for (int y = 0; y < flows[0].rows; ++y)
-    for (int x = 0; x < flows[0].cols; ++x)
-      different += std::memcmp (&flows[0].at<cv::Vec2f> (y, x),
-                                &flows[1].at<cv::Vec2f> (y, x),
-                                sizeof (cv::Vec2f)) != 0;
-  EXPECT_EQ (different, 0);
 }
 
 TEST (SceneFlowTracker, BeginsAnewWhenReferenceAndFrameShowTooLittleOfEachOther)
@@ -129,6 +132,108 @@ TEST (SceneFlowTracker, BeginsAnewWhenReferenceAndFrameShowTooLittleOfEachOther)
     EXPECT_EQ (tracker.frames(), 2);
     EXPECT_EQ (tracker.firstFrame(), 2);
   }
+}
+
+/** Does a solve begin at the coarsest level, and not where bodies should be? */
+bool
+searched (const SceneFlow& flow)
+{
+  bool coarse = false;
+  for (const IterationRecord& record : flow.report.history)
+    coarse |= record.level > 1;
+  return coarse;
+}
+
+TEST (SceneFlowTracker, FollowsFromWhereTheBodiesShouldBe)
+{
+  const test::AnalyticScene scene = standingRoom();
+  SceneFlowTracker tracker = makeTracker ({});
+  int frame = 0;
+  for (const test::View& view : test::renderWindow (scene, kFrames)) {
+    tracker.add (scene.frame (view));
+    EXPECT_LT (distanceToTruth (scene, frame, tracker.cameraPose()),
+               0.004 * (1 + frame));
+    EXPECT_EQ (tracker.firstFrame(), 0);
+    if (frame > 0) {
+      EXPECT_TRUE (tracker.sceneFlow().report.converged);
+      EXPECT_EQ (tracker.frames(), 2);
+      EXPECT_EQ (tracker.frameIndex (1), frame);
+      EXPECT_EQ (searched (tracker.sceneFlow()), frame == 1);
+    }
+    ++frame;
+  }
+}
+
+TEST (SceneFlowTracker, ANewReferenceFollowsTheBodiesOfTheLast)
+{
+  const test::AnalyticScene scene = test::roomWithBox();
+  TrackerParameters parameters;
+  parameters.least_visible = 1.0; // never satisfied
+  SceneFlowTracker tracker = makeTracker (parameters);
+  int frame = 0;
+  for (const test::View& view : test::renderWindow (scene, 4)) {
+    tracker.add (scene.frame (view));
+    EXPECT_LT (distanceToTruth (scene, frame, tracker.cameraPose()),
+               0.004 * (1 + frame));
+    EXPECT_EQ (tracker.firstFrame(), std::max (0, frame - 1));
+    if (frame > 0) {
+      EXPECT_EQ (searched (tracker.sceneFlow()), frame == 1);
+    }
+    ++frame;
+  }
+}
+
+TEST (SceneFlowTracker, PassesOverACoveredLens)
+{
+  const test::AnalyticScene scene = standingRoom();
+  const auto views = test::renderWindow (scene, 5);
+  SceneFlowTracker tracker = makeTracker ({});
+  for (int frame = 0; frame < 5; ++frame) {
+    const test::View& view = views[frame];
+    const bool covered = frame == 3;
+    tracker.add (
+        covered ? RgbdFrame::fromImages (cv::Mat::zeros (view.depth.size(), CV_8UC3),
+                                         cv::Mat::zeros (view.depth.size(), CV_32FC1),
+                                         scene.camera)
+                : scene.frame (view));
+    if (frame > 0) {
+      EXPECT_EQ (tracker.sceneFlow().report.converged, !covered);
+    }
+  }
+  EXPECT_EQ (tracker.firstFrame(), 0);
+  EXPECT_FALSE (searched (tracker.sceneFlow())) << "the motion is still known";
+  EXPECT_LT (distanceToTruth (scene, 4, tracker.cameraPose()), 0.02);
+}
+
+TEST (SceneFlowTracker, BeginsAnewInAnotherPlace)
+{
+  const auto before = test::renderWindow (standingRoom(), 3);
+  test::AnalyticScene elsewhere = test::roomWithBox();
+  const auto after = test::renderWindow (elsewhere, 3);
+  if (before[0].depth.size() != after[0].depth.size())
+    GTEST_FAIL() << "the rooms' images differ in size";
+  SceneFlowTracker tracker = makeTracker ({});
+  for (const test::View& view : before)
+    tracker.add (standingRoom().frame (view));
+  std::vector<bool> known;
+  for (const test::View& view : after) {
+    tracker.add (elsewhere.frame (view));
+    known.push_back (tracker.sceneFlow().report.converged);
+  }
+  EXPECT_TRUE (known[1] || known[2]);
+  EXPECT_TRUE (known[2]);
+  EXPECT_GE (tracker.firstFrame(), 2);
+}
+
+TEST (SceneFlowTracker, RefusesToMergeSegmentsWithoutAWindow)
+{
+  TrackerParameters parameters;
+  parameters.merge_segments = true;
+  std::string why;
+  EXPECT_FALSE (parameters.isValid (&why));
+  EXPECT_THAT (why, testing::HasSubstr ("window"));
+  parameters.window = 2;
+  EXPECT_TRUE (parameters.isValid());
 }
 
 TEST (SceneFlowTracker, RefusesAFrameWithoutColorAmongColoredOnes)

@@ -57,6 +57,18 @@ rootMeanSquare (const cv::Mat& inverse_depth)
   return std::sqrt (sum / count);
 }
 
+cv::Mat
+fuse (const FrameLevel& reference,
+      const cv::Mat& labels,
+      const std::vector<DepthSource>& sources,
+      int threads)
+{
+  DepthFusion fusion (reference, labels);
+  for (const DepthSource& source : sources)
+    fusion.add (source, noiseModel(), {}, threads);
+  return fusion.average();
+}
+
 TEST (DepthFusion, AveragesIndependentMeasurements)
 {
   const FrameLevel reference = wall (kTruth, kSigma, 1);
@@ -64,13 +76,19 @@ TEST (DepthFusion, AveragesIndependentMeasurements)
   const FrameLevel third = wall (kTruth, kSigma, 3);
   const cv::Mat labels = cv::Mat::zeros (kHeight, kWidth, CV_32SC1);
   const double before = rootMeanSquare (reference.inverse_depth);
-  const cv::Mat two =
-      fuseInverseDepth (reference, labels, {{&second, aside()}}, noiseModel(), {}, 2);
-  const cv::Mat three = fuseInverseDepth (
-      reference, labels, {{&second, aside()}, {&third, aside()}}, noiseModel(), {}, 2);
+  const cv::Mat two = fuse (reference, labels, {{&second, aside()}}, 2);
+  const cv::Mat three =
+      fuse (reference, labels, {{&second, aside()}, {&third, aside()}}, 2);
   EXPECT_NEAR (before, kSigma, 0.1 * kSigma);
   EXPECT_LT (rootMeanSquare (two), 0.75 * before);   // 0.71 for independent ones
   EXPECT_LT (rootMeanSquare (three), 0.62 * before); // 0.58
+}
+
+TEST (DepthFusion, IsEmptyBeforeAFrameWasAdded)
+{
+  const FrameLevel reference = wall (kTruth, kSigma, 1);
+  EXPECT_TRUE (
+      fuse (reference, cv::Mat::zeros (kHeight, kWidth, CV_32SC1), {}, 1).empty());
 }
 
 TEST (DepthFusion, LeavesOutWhatIsAnotherSurface)
@@ -78,8 +96,7 @@ TEST (DepthFusion, LeavesOutWhatIsAnotherSurface)
   const FrameLevel reference = wall (kTruth, 0.0, 1);
   const FrameLevel nearer = wall (kTruth + 0.1, 0.0, 2);
   const cv::Mat labels = cv::Mat::zeros (kHeight, kWidth, CV_32SC1);
-  const cv::Mat fused =
-      fuseInverseDepth (reference, labels, {{&nearer, aside()}}, noiseModel(), {}, 1);
+  const cv::Mat fused = fuse (reference, labels, {{&nearer, aside()}}, 1);
   EXPECT_EQ (rootMeanSquare (fused), 0.0);
 }
 
@@ -92,12 +109,7 @@ TEST (DepthFusion, MovesWithTheSurface)
   pose.parameters[5] = -0.4;
   const cv::Mat labels = cv::Mat::zeros (kHeight, kWidth, CV_32SC1);
   const cv::Mat fused =
-      fuseInverseDepth (reference,
-                        labels,
-                        {{&nearer, MotionState::fromSegments ({pose}, 0)}},
-                        noiseModel(),
-                        {},
-                        1);
+      fuse (reference, labels, {{&nearer, MotionState::fromSegments ({pose}, 0)}}, 1);
   EXPECT_LT (rootMeanSquare (fused), 1e-6);
 }
 
@@ -108,8 +120,7 @@ TEST (DepthFusion, PointsWithoutLabelOrDepthStay)
   const FrameLevel second = wall (kTruth + 0.004, 0.0, 2);
   cv::Mat labels = cv::Mat::zeros (kHeight, kWidth, CV_32SC1);
   labels.at<int> (20, 30) = -1;
-  const cv::Mat fused =
-      fuseInverseDepth (reference, labels, {{&second, aside()}}, noiseModel(), {}, 1);
+  const cv::Mat fused = fuse (reference, labels, {{&second, aside()}}, 1);
   EXPECT_EQ (fused.at<float> (20, 20), 0.0F);
   EXPECT_EQ (fused.at<float> (20, 30), static_cast<float> (kTruth));
   EXPECT_NEAR (fused.at<float> (20, 25), kTruth + 0.002, 1e-4);
