@@ -95,7 +95,7 @@ colorUnit (const io::RgbdImages& reference, const io::RgbdSequence& frames, int 
 RenderInputs
 estimate (const RenderOptions& options)
 {
-  const auto frames = openFrames (options.input, options.reading);
+  const auto frames = openFramesNotResults (options.input, options.reading);
   if (fs::is_directory (fs::path (options.input) / frames->name()))
     throw UsageError (options.input +
                       ": neither scene_flow_R_K.pcd of "

@@ -78,7 +78,7 @@ makeSolver (const ViewOptions& options)
   if (!pairs.empty())
     return std::make_unique<SequenceSolver> (static_cast<int> (pairs.size()),
                                              resultMaker (options, pairs));
-  const auto frames = openFrames (options.input, options.reading);
+  const auto frames = openFramesNotResults (options.input, options.reading);
   return std::make_unique<SequenceSolver> (frames->frames() - 1, pairMaker (frames));
 }
 
