@@ -137,6 +137,19 @@ TEST_F (CloudDialects, IntensitiesOfFramesThatAreComparedGetOneUnit)
   EXPECT_THROW (io::unifyColors ({&dark, &light}), InvalidInput) << "two units";
 }
 
+TEST_F (CloudDialects, CloudsReadTogetherHaveOneUnit)
+{
+  const auto cloud = [] (float intensity) {
+    return HandMadeCloud ("intensity", "4", "F", "1").points<float> ({intensity});
+  };
+  writeFile (folder_ ("a.pcd"), cloud (0.9F).bytes());
+  writeFile (folder_ ("b.pcd"), cloud (1.8F).bytes());
+  const auto clouds = io::readOrganizedClouds ({folder_ ("a.pcd"), folder_ ("b.pcd")});
+  ASSERT_EQ (clouds.size(), 2U);
+  EXPECT_NEAR (2 * (*clouds[0]) (7, 7).g, (*clouds[1]) (7, 7).g, 1);
+  EXPECT_TRUE (io::readOrganizedClouds ({}).empty());
+}
+
 TEST_F (CloudDialects, PaddingMayHaveNoValues)
 {
   const io::RgbdImages images = read (
