@@ -7,6 +7,7 @@
 #include "support/temporary_folder.h"
 #include "support/wall_cloud.h"
 #include <pcl_msf/io/cloud_files.h>
+#include <pcl_msf/io/point_files.h>
 
 #include <cstdint>
 #include <string>
@@ -73,6 +74,11 @@ protected:
     EXPECT_EQ (images.color.at<cv::Vec3b> (7, 7), bgr) << cloud.bytes().substr (0, 120);
     EXPECT_EQ (images.color.at<cv::Vec3b> (0, 0), cv::Vec3b (0, 0, 0));
     EXPECT_EQ (images.note, "");
+    const io::PointFile list = io::readPoints (folder_ ("a.pcd"));
+    ASSERT_EQ (list.colors.size(), 1200U);
+    EXPECT_EQ (list.colors[0], 0U);
+    EXPECT_EQ (list.colors[1],
+               std::uint32_t{bgr[2]} << 16U | std::uint32_t{bgr[1]} << 8U | bgr[0]);
     const auto points = io::readOrganizedCloud (folder_ ("a.pcd"));
     EXPECT_EQ ((*points) (7, 7).r, bgr[2]);
     EXPECT_EQ ((*points) (7, 7).a, 255);
