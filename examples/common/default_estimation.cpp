@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "common/default_estimation.h"
 
+#include "common/command_line.h"
 #include "common/interruption.h"
 #include <pcl_msf/scene_flow_estimator.h>
 
@@ -60,6 +61,12 @@ DefaultEstimation::to (const io::RgbdImages& images,
 void
 takeCurrent (const io::RgbdImages& current, visualization::ResultClouds& result)
 {
+  const cv::Size size = result.scene_flow.labels.size(), given = current.depth.size();
+  if (given != size)
+    throw UsageError ("--sequence: its frames are " + std::to_string (given.width) +
+                      "x" + std::to_string (given.height) + ", the result is " +
+                      std::to_string (size.width) + "x" + std::to_string (size.height) +
+                      "; give the frames that it was made of");
   result.current_points = backProject (current);
   result.current_color = current.color;
 }

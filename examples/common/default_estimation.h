@@ -27,7 +27,8 @@ private:
   Oversegmentation segments_;
 };
 
-/** \brief Gives a result the points and colours of the current frame. */
+/** \brief Gives a result the points and colours of the current frame.
+ * \throws UsageError when it has another size */
 void
 takeCurrent (const io::RgbdImages& current, visualization::ResultClouds& result);
 

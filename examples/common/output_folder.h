@@ -49,6 +49,13 @@ public:
   check (const InputFiles& inputs,
          const std::function<bool (const std::string& name)>& written) const;
 
+  /** \brief That of this run's files, as it is noted: one word of a line. */
+  const std::string&
+  group () const
+  {
+    return group_;
+  }
+
   /** \brief Where to write; names are those in the folder. */
   const std::string&
   stage () const
@@ -82,7 +89,6 @@ private:
   std::string tool_;
   std::string group_;
   StageFolder stage_;
-  Keep keep_;
   OutputManifest manifest_;
   std::vector<std::string> earlier_; ///< names that are to go in the end
   std::vector<std::string> waiting_; ///< published, still in the stage

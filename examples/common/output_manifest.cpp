@@ -95,10 +95,16 @@ OutputManifest::OutputManifest (std::string folder, const std::string& tool)
     return;
   std::string line, name;
   std::getline (stream, line);
+  cut_ = stream.eof() && head_.compare (0, line.size(), line) == 0;
+  if (cut_)
+    return;
   if (line + '\n' != head_)
     throw IoError (path_ + ": head: not a list of files of " + tool +
                    "; remove it or give another folder");
-  while (std::getline (stream, line) && !stream.eof()) { // the last may be cut off
+  while (std::getline (stream, line)) {
+    cut_ = stream.eof();
+    if (cut_)
+      return;
     Entry entry;
     if (!parse (line, name, entry))
       throw IoError (path_ + ": entry: '" + line +
@@ -124,6 +130,9 @@ OutputManifest::add (const std::vector<std::string>& names,
                      const std::string& source,
                      const std::string& group)
 {
+  if (cut_)
+    write();
+  cut_ = false;
   std::string text = fs::exists (path_) ? std::string() : head_;
   for (const std::string& name : names) {
     const fs::path path = fs::path (source) / name;

@@ -56,6 +56,7 @@ private:
   std::string path_;
   std::string head_;
   std::map<std::string, Entry> entries_;
+  bool cut_{false}; ///< the file ends within a line, as a run was killed
 };
 
 } // namespace pcl_msf::tool

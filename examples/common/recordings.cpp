@@ -3,6 +3,7 @@
 #include "common/recordings.h"
 
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <regex>
 #include <tuple>
@@ -107,6 +108,24 @@ openFrames (const std::string& path, const io::DatasetOptions& options)
     throw UsageError ("'" + path + "': holds " + std::to_string (sequences.size()) +
                       " sequences; give one of their folders");
   return sequences.front();
+}
+
+std::shared_ptr<const io::RgbdSequence>
+openFramesNotResults (const std::string& path, const io::DatasetOptions& options)
+{
+  const bool results = fs::exists (fs::path (path) / "report.json");
+  try {
+    auto frames = openFrames (path, options);
+    if (!results || frames->frames() > 1)
+      return frames;
+  }
+  catch (const std::exception&) {
+    if (!results)
+      throw;
+  }
+  throw UsageError ("'" + path +
+                    "': holds results without scene_flow_R_K.pcd, which is shown; "
+                    "pcl_msf_scene_flow writes it, with 'cloud' among its --outputs");
 }
 
 void

@@ -57,6 +57,12 @@ addReadingOptions (CLI::App& app, io::DatasetOptions& options);
 std::shared_ptr<const io::RgbdSequence>
 openFrames (const std::string& path, const io::DatasetOptions& options);
 
+/** \brief The same for a folder that might be one of results, of which none can be
+ * shown: those of pcl_msf_stream, or without their clouds. \throws UsageError that says
+ * what is missing */
+std::shared_ptr<const io::RgbdSequence>
+openFramesNotResults (const std::string& path, const io::DatasetOptions& options);
+
 /** \throws UsageError when a recording has no such frame */
 void
 requireFrame (const io::RgbdSequence& frames, int frame);

@@ -5,10 +5,7 @@
 #include <fcntl.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/folders.h>
-#include <sys/file.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <vector>
@@ -35,23 +32,6 @@ lockOf (const std::string& stage)
   return (fs::path (stage) / kLock).string();
 }
 
-enum class Lock { Ours, Held, None };
-
-/** Locks a file. None: it is not there, or this place knows no locks. */
-Lock
-take (const std::string& file, int flags, int& descriptor)
-{
-  descriptor = open (file.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | flags, 0600);
-  if (descriptor < 0)
-    return Lock::None;
-  if (flock (descriptor, LOCK_EX | LOCK_NB) == 0)
-    return Lock::Ours;
-  const bool held = errno == EWOULDBLOCK;
-  close (descriptor);
-  descriptor = -1;
-  return held ? Lock::Held : Lock::None;
-}
-
 /** Stages of the tool's runs, dead or alive. */
 std::vector<std::string>
 stagesIn (const std::string& folder, const std::string& tool)
@@ -75,12 +55,9 @@ stagesIn (const std::string& folder, const std::string& tool)
 void
 removeDead (const std::string& stage)
 {
-  int lock = -1;
-  if (take (lockOf (stage), 0, lock) != Lock::Ours)
-    return;
   std::error_code ignored;
-  fs::remove_all (stage, ignored);
-  close (lock);
+  if (io::FileLock (lockOf (stage)).isOurs())
+    fs::remove_all (stage, ignored);
 }
 
 } // namespace
@@ -102,20 +79,14 @@ StageFolder::make (const std::string& pattern)
   if (mkdtemp (path_.data()) == nullptr)
     throw IoError (fs::path (pattern).parent_path().string() +
                    ": the folder may not be written to; choose another");
-  const Lock lock = take (lockOf (path_), O_CREAT, lock_);
-  if (lock != Lock::Held && fs::exists (path_))
-    return true;
-  if (lock_ >= 0)
-    close (lock_);
-  return false;
+  lock_ = std::make_unique<io::FileLock> (lockOf (path_), O_CREAT);
+  return !lock_->isHeld() && fs::exists (path_);
 }
 
 StageFolder::~StageFolder()
 {
   std::error_code ignored;
   fs::remove_all (path_, ignored);
-  if (lock_ >= 0)
-    close (lock_);
 }
 
 } // namespace pcl_msf::tool

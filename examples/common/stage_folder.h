@@ -2,6 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "io/base/file_lock.h"
+
+#include <memory>
 #include <string>
 
 namespace pcl_msf::tool {
@@ -32,7 +35,7 @@ private:
   make (const std::string& pattern);
 
   std::string path_;
-  int lock_{-1}; ///< a file descriptor
+  std::unique_ptr<io::FileLock> lock_;
 };
 
 } // namespace pcl_msf::tool

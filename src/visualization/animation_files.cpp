@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <opencv2/videoio.hpp>
 
+#include "io/base/input_file.h"
 #include "io/base/output_file.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/images.h>
@@ -13,28 +14,17 @@ namespace pcl_msf::visualization {
 
 namespace {
 
-namespace fs = std::filesystem;
-
-/** A film under a name that tells OpenCV the format; gone unless it is finished. */
+/** A film that is being written. */
 class Film {
 public:
   Film (const std::string& path, double rate, const cv::Size& size)
-  : path_ (path + ".mp4"), size_ (size.width / 2 * 2, size.height / 2 * 2)
+  : path_ (path), size_ (size.width / 2 * 2, size.height / 2 * 2)
   {
     for (const auto& codec : {cv::VideoWriter::fourcc ('a', 'v', 'c', '1'),
                               cv::VideoWriter::fourcc ('m', 'p', '4', 'v')})
       if (writer_.open (path_, cv::CAP_FFMPEG, codec, rate, size_))
         return;
   }
-  ~Film()
-  {
-    writer_.release();
-    std::error_code ignored;
-    fs::remove (path_, ignored);
-  }
-  Film (const Film&) = delete;
-  Film&
-  operator= (const Film&) = delete;
 
   void
   add (const cv::Mat& image)
@@ -43,16 +33,13 @@ public:
       writer_.write (image (cv::Rect (cv::Point(), size_)).clone());
   }
 
-  /** Gives it the name; false when it could not be written. */
+  /** False when it could not be written. */
   bool
-  finish (const std::string& path)
+  finish ()
   {
     writer_.release();
     std::error_code error;
-    if (fs::file_size (path_, error) == 0 || error)
-      return false;
-    fs::rename (path_, path);
-    return true;
+    return std::filesystem::file_size (path_, error) > 0 && !error;
   }
 
 private:
@@ -71,6 +58,8 @@ writeMp4 (const std::string& path,
 {
   if (pictures.empty())
     throw IoError (path + ": an animation needs one picture at least");
+  if (io::lowerExtension (path) != ".mp4") // it tells OpenCV the format
+    throw IoError (path + ": a film's name ends in .mp4; give one that does");
   io::writeThenRename (path, [&] (const std::string& temporary) {
     Film film (temporary, rate, io::readColor (pictures.front()).size());
     for (const std::string& picture : pictures) {
@@ -78,7 +67,7 @@ writeMp4 (const std::string& path,
         throw IoError (path + ": stopped before the animation was written");
       film.add (io::readColor (picture));
     }
-    if (!film.finish (temporary))
+    if (!film.finish())
       throw IoError (path + ": OpenCV has no FFmpeg here that writes an MP4; the "
                             "pictures are there, join them by another program");
   });

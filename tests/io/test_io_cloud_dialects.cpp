@@ -7,6 +7,7 @@
 #include "support/temporary_folder.h"
 #include "support/wall_cloud.h"
 #include <pcl_msf/io/cloud_files.h>
+#include <pcl_msf/io/point_files.h>
 
 #include <cstdint>
 #include <string>
@@ -73,6 +74,11 @@ protected:
     EXPECT_EQ (images.color.at<cv::Vec3b> (7, 7), bgr) << cloud.bytes().substr (0, 120);
     EXPECT_EQ (images.color.at<cv::Vec3b> (0, 0), cv::Vec3b (0, 0, 0));
     EXPECT_EQ (images.note, "");
+    const io::PointFile list = io::readPoints (folder_ ("a.pcd"));
+    ASSERT_EQ (list.colors.size(), 1200U);
+    EXPECT_EQ (list.colors[0], 0U);
+    EXPECT_EQ (list.colors[1],
+               std::uint32_t{bgr[2]} << 16U | std::uint32_t{bgr[1]} << 8U | bgr[0]);
     const auto points = io::readOrganizedCloud (folder_ ("a.pcd"));
     EXPECT_EQ ((*points) (7, 7).r, bgr[2]);
     EXPECT_EQ ((*points) (7, 7).a, 255);
@@ -135,6 +141,19 @@ TEST_F (CloudDialects, IntensitiesOfFramesThatAreComparedGetOneUnit)
   EXPECT_NEAR (gray (light), 249, 1);
   dark = read (cloud (0.5F));
   EXPECT_THROW (io::unifyColors ({&dark, &light}), InvalidInput) << "two units";
+}
+
+TEST_F (CloudDialects, CloudsReadTogetherHaveOneUnit)
+{
+  const auto cloud = [] (float intensity) {
+    return HandMadeCloud ("intensity", "4", "F", "1").points<float> ({intensity});
+  };
+  writeFile (folder_ ("a.pcd"), cloud (0.9F).bytes());
+  writeFile (folder_ ("b.pcd"), cloud (1.8F).bytes());
+  const auto clouds = io::readOrganizedClouds ({folder_ ("a.pcd"), folder_ ("b.pcd")});
+  ASSERT_EQ (clouds.size(), 2U);
+  EXPECT_NEAR (2 * (*clouds[0]) (7, 7).g, (*clouds[1]) (7, 7).g, 1);
+  EXPECT_TRUE (io::readOrganizedClouds ({}).empty());
 }
 
 TEST_F (CloudDialects, PaddingMayHaveNoValues)

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "io/base/output_file.h"
 #include "support/expect_io_error.h"
 #include "support/temporary_folder.h"
 #include <pcl_msf/io/float_files.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <csignal>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -90,6 +95,77 @@ TEST (FlowFile, LeavesNothingBehindWhenItCannotBeWritten)
                  "cannot be written");
   expectIoError ([&] { io::writeFlow (folder ("a.flo"), cv::Mat()); }, "a.flo", "flow");
   EXPECT_EQ (pcl_msf::testing::filesIn (folder ("")), 1U);
+}
+
+/** A writer that is killed in the middle. \return its process' state */
+int
+killedWriter (const std::string& path)
+{
+  const pid_t writer = fork();
+  if (writer == 0)
+    io::writeThenRename (path, [] (const std::string& temporary) {
+      writeFile (temporary, "half");
+      raise (SIGKILL);
+    });
+  int status = 0;
+  waitpid (writer, &status, 0);
+  return status;
+}
+
+TEST (OutputFile, WhatAKilledWriterLeftGoesWithTheNextOne)
+{
+  const TemporaryFolder folder;
+  writeFile (folder (".a.flo.part"), "mine");
+  writeFile (folder (".a.flo.99999999.0.part"), "mine");
+  writeFile (folder (".pcl_msf.part"), "mine");
+  std::filesystem::create_symlink (folder (".a.flo.part"),
+                                   folder (".pcl_msf.99999999.0.part"));
+  ASSERT_TRUE (WIFSIGNALED (killedWriter (folder ("a.flo"))));
+  ASSERT_EQ (filesIn (folder ("")), 5U);
+  io::writeBytes (folder ("b.txt"), "another", 7);
+  EXPECT_EQ (filesIn (folder ("")), 5U) << "the user's, and the new one";
+  EXPECT_EQ (readFile (folder ("b.txt")), "another");
+}
+
+TEST (OutputFile, WhatALivingWriterHasBegunStays)
+{
+  const TemporaryFolder folder;
+  io::writeThenRename (folder ("a.txt"), [&] (const std::string& temporary) {
+    writeFile (temporary, "first"); // by the name, as OpenCV and PCL do
+    const pid_t other = fork();
+    if (other == 0) {
+      io::writeBytes (folder ("b.txt"), "other", 5);
+      _exit (0);
+    }
+    waitpid (other, nullptr, 0);
+    io::writeBytes (folder ("a.txt"), "second", 6);
+    EXPECT_EQ (readFile (temporary), "first");
+  });
+  EXPECT_EQ (readFile (folder ("a.txt")), "first");
+  EXPECT_EQ (readFile (folder ("b.txt")), "other");
+  EXPECT_EQ (filesIn (folder ("")), 2U);
+}
+
+TEST (OutputFile, ReplacesFilesAloneAndTakesAnyName)
+{
+  const TemporaryFolder folder;
+  const auto write = [&] (const std::string& name) {
+    return [&folder, name] { io::writeBytes (folder (name), "new", 3); };
+  };
+  ASSERT_EQ (mkfifo (folder ("pipe").c_str(), 0600), 0);
+  expectIoError (write ("pipe"), "pipe", "no regular file");
+  writeFile (folder ("real"), "old");
+  std::filesystem::create_symlink ("real", folder ("link"));
+  std::filesystem::create_symlink ("later", folder ("dangling"));
+  write ("link")();
+  write ("dangling")();
+  EXPECT_TRUE (std::filesystem::is_symlink (folder ("link")));
+  EXPECT_EQ (readFile (folder ("real")), "new");
+  EXPECT_EQ (readFile (folder ("later")), "new");
+  for (const std::string& name : {std::string (255, 'n'),
+                                  std::string ("%s a\n.b"),
+                                  "a." + std::string (250, 'e')})
+    EXPECT_NO_THROW (write (name)()) << name;
 }
 
 TEST (DptFile, HasThePublishedBytesAndRoundTrips)

@@ -108,6 +108,19 @@ TEST (ResultFiles, AHalfWrittenLastLineIsDropped)
   EXPECT_EQ (readResults (folder ("r.csv")).rows.size(), 5u);
 }
 
+TEST (ResultFiles, LinesMayEndAsOnWindows)
+{
+  const TemporaryFolder folder;
+  std::string text;
+  for (const char c : headText (makeShard (1, 1, 1)) + rowText (makeRow (0, "a", 1)))
+    text += c == '\n' ? "\r\n" : std::string (1, c);
+  pcl_msf::testing::writeFile (folder ("r.csv"), "\xEF\xBB\xBF" + text);
+  const ResultFile file = readResults (folder ("r.csv"));
+  EXPECT_EQ (file.settings, "methods=a,b");
+  ASSERT_EQ (file.rows.size(), 1U);
+  EXPECT_EQ (file.rows[0].method, "a");
+}
+
 TEST (ResultStores, ARunGoesOnWhereItWasKilled)
 {
   const TemporaryFolder folder;

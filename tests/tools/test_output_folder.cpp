@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 
 namespace {
@@ -103,6 +104,26 @@ TEST (OutputFolder, TrustsNoListThatLeadsOutside)
   writeFile (folder ("out/.tool"), list);
   EXPECT_THROW (writeRun (folder, {"b"}), IoError);
   EXPECT_TRUE (fs::exists (folder ("victim")));
+}
+
+TEST (OutputFolder, GoesOnWithAListThatWasCutOff)
+{
+  for (const std::size_t kept : {std::size_t{0}, std::size_t{9}, std::string::npos}) {
+    const TemporaryFolder folder;
+    writeRun (folder, {"a"});
+    const std::string list = readFile (folder ("out/.tool"));
+    writeFile (folder ("out/.tool"), list.substr (0, std::min (kept, list.size() - 2)));
+    fs::remove (folder ("out/a"));
+    {
+      OutputFolder output (folder ("out"), "tool");
+      writeFile (output.stage() + "/b", "b");
+      output.publish(); // and is killed before it finishes
+      fs::copy (folder ("out"), folder ("killed"));
+    }
+    fs::remove_all (folder ("out"));
+    fs::rename (folder ("killed"), folder ("out"));
+    EXPECT_NO_THROW (writeRun (folder, {"b"})) << kept;
+  }
 }
 
 TEST (OutputFolder, FilesOfAFirstRunAppearAtOnce)

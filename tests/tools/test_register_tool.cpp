@@ -5,6 +5,8 @@
 #include "support/box_chain.h"
 #include "support/run_tool.h"
 #include <gmock/gmock.h>
+#include <pcl_msf/io/cloud_files.h>
+#include <pcl_msf/io/data_folder.h>
 #include <pcl_msf/io/point_files.h>
 
 #include <algorithm>
@@ -54,6 +56,85 @@ TEST (RegisterTool, WritesWhatAUserWants)
                HasSubstr ("\"converged\": true"));
   EXPECT_THAT (readFile (folder ("out/report.json")), HasSubstr ("\"tuning_hash\""));
   EXPECT_EQ (filesIn (folder ("out")), 6u); // with the list of them
+}
+
+/** Colours in three fields, coordinates as doubles: PCL's own reader drops both. */
+void
+writeDialect (const std::string& path, const io::DataFolder& frames, int frame)
+{
+  const io::RgbdImages images = frames.frame (frame);
+  const cv::Size size = images.depth.size();
+  const auto number = [] (double value) {
+    return std::string (reinterpret_cast<const char*> (&value), sizeof value);
+  };
+  std::string text =
+      "VERSION .7\nFIELDS x y z r g b\nSIZE 8 8 8 1 1 1\nTYPE F F F U U U\n"
+      "COUNT 1 1 1 1 1 1\nWIDTH " +
+      std::to_string (size.width) + "\nHEIGHT " + std::to_string (size.height) +
+      "\nPOINTS " + std::to_string (size.area()) + "\nDATA binary\n";
+  for (int v = 0; v < size.height; ++v)
+    for (int u = 0; u < size.width; ++u) {
+      const auto& color = images.color.at<cv::Vec3b> (v, u);
+      const double z = images.depth.at<float> (v, u);
+      text += number (z * (u - images.camera.cx) / images.camera.fx) +
+              number (z * (v - images.camera.cy) / images.camera.fy) + number (z);
+      for (const int channel : {2, 1, 0})
+        text += static_cast<char> (color[channel]);
+    }
+  writeFile (path, text);
+}
+
+class RegisterCloudsTool : public ::testing::Test {
+protected:
+  ToolRun
+  run (const std::string& tool, const std::string& arguments) const
+  {
+    return runTool (folder_, PCL_MSF_TOOLS "/pcl_msf_" + tool + " " + arguments);
+  }
+  /** Two clouds. \return them as arguments */
+  std::string
+  writeClouds (const std::string& size) const
+  {
+    const std::string options = " --depth png --frames 2" + size;
+    EXPECT_EQ (run ("synthesize", folder_ ("seq") + options).status, 0);
+    const io::DataFolder frames (folder_ ("seq"));
+    for (const int k : {0, 1})
+      writeDialect (folder_ ("d" + std::to_string (k) + ".pcd"), frames, k);
+    return folder_ ("d0.pcd") + " " + folder_ ("d1.pcd") + " ";
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F (RegisterCloudsTool, ReadsAnyDialectAndNamesWhatCannotBeWritten)
+{
+  const std::string clouds = writeClouds (" --width 160 --height 120");
+  const ToolRun done = run ("register_clouds", clouds + folder_ ("warped.pcd"));
+  EXPECT_EQ (done.status, 0);
+  EXPECT_EQ (done.err, "");
+  const auto warped = io::readOrganizedCloud (folder_ ("warped.pcd"));
+  const cv::Vec3b color =
+      io::DataFolder (folder_ ("seq")).frame (0).color.at<cv::Vec3b> (7, 7);
+  EXPECT_EQ ((*warped) (7, 7).r, color[2]);
+  EXPECT_EQ ((*warped) (7, 7).b, color[0]);
+  const ToolRun refused = run ("register_clouds", clouds + folder_ ("no/such.pcd"));
+  EXPECT_EQ (refused.status, 1);
+  EXPECT_EQ (refused.errorLines(), 1) << refused.err;
+  EXPECT_THAT (refused.err, HasSubstr ("such.pcd: cannot be written"));
+}
+
+TEST_F (RegisterCloudsTool, EndsOnASignal)
+{
+  const std::string clouds = writeClouds (" --width 640 --height 480");
+  // SIGTERM is bit 14 of the mask of signals that are noted.
+  const ToolRun ended = runTool (
+      folder_,
+      "{ " PCL_MSF_TOOLS "/pcl_msf_register_clouds " + clouds + folder_ ("warped.pcd") +
+          " & p=$!; until grep -q 'SigCgt:.*[4-7c-f]...$' /proc/$p/status || "
+          "! kill -0 $p; do sleep 0.01; done; kill -TERM $p; wait $p; }");
+  EXPECT_EQ (ended.status, 128 + 15) << ended.err;
+  EXPECT_EQ (ended.errorLines(), 1) << ended.err;
+  EXPECT_FALSE (std::filesystem::exists (folder_ ("warped.pcd")));
 }
 
 TEST (RegisterTool, RefusesInOneLine)

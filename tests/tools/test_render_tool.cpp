@@ -113,6 +113,26 @@ TEST_F (RenderCase, RefusesWhatItCannotDo)
   EXPECT_EQ (run ("--help").status, 0);
 }
 
+TEST_F (RenderCase, SaysWhenWhatItComputesIsNoResult)
+{
+  const auto draw = [this] (const std::string& more) {
+    return run (folder_ ("case") + " --kind segments --quiet --output " +
+                folder_ ("out") + more);
+  };
+  EXPECT_EQ (draw ("").err, "");
+  expectRefusal (folder_ ("case") + " --kind segments --depth-scale 1 --output " +
+                     folder_ ("out"),
+                 "with --depth-scale 1; give units per metre, for example 1000");
+  const cv::Size size (SmallScene::kWidth, SmallScene::kHeight);
+  io::writeImage (folder_ ("case/color_1.png"), cv::Mat (size, CV_8UC3, {9, 9, 9}));
+  io::writeDepth (
+      folder_ ("case/depth_1.png"), cv::Mat (size, CV_32FC1, cv::Scalar (0.1)), 5000.0);
+  const ToolRun covered = draw ("");
+  EXPECT_EQ (covered.status, 3);
+  EXPECT_EQ (covered.errorLines(), 1) << covered.err;
+  EXPECT_THAT (covered.err, HasSubstr ("frame 0 to 1: not converged ("));
+}
+
 TEST_F (RenderCase, NamesThePackageThatIsMissing)
 {
   writeResult();
@@ -141,15 +161,36 @@ TEST_F (RenderCase, AnimationsAreNumberedPictures)
   EXPECT_TRUE (picture ("warp/warp_0004.png").empty());
 }
 
-TEST_F (RenderCase, LiveWindowSaysThatItNeedsADisplay)
+TEST_F (RenderCase, FramesOfAnotherSizeAreRefused)
 {
-  const ToolRun refused =
-      runTool (folder_,
-               "env -u DISPLAY " + std::string (PCL_MSF_TOOLS "/pcl_msf_view") + " " +
-                   folder_ ("case"));
-  EXPECT_EQ (refused.status, 1);
-  EXPECT_EQ (refused.errorLines(), 1) << refused.err;
-  EXPECT_THAT (refused.err, HasSubstr ("DISPLAY is not set"));
+  writeResult();
+  const cv::Size half (SmallScene::kWidth / 2, SmallScene::kHeight / 2);
+  for (const char* k : {"0", "1"})
+    io::writeDepth (folder_ ("case/depth_") + k + ".png",
+                    cv::Mat (half, CV_32FC1, cv::Scalar (2.0)),
+                    5000.0);
+  std::filesystem::remove (folder_ ("case/color_0.png"));
+  std::filesystem::remove (folder_ ("case/color_1.png"));
+  io::writeCamera (folder_ ("case/camera.txt"),
+                   {scene_.camera, half.width, half.height, 5000.0});
+  expectRefusal (folder_ ("result") + " --sequence " + folder_ ("case") +
+                     " --kind after --output " + folder_ ("out"),
+                 "--sequence: its frames are ");
+}
+
+TEST_F (RenderCase, LiveWindowRefusesInOneLine)
+{
+  const auto refused = [this] (const char* words) {
+    const ToolRun done = runTool (
+        folder_, "env -u DISPLAY " PCL_MSF_TOOLS "/pcl_msf_view " + folder_ ("case"));
+    EXPECT_EQ (done.status, 1);
+    EXPECT_EQ (done.errorLines(), 1) << done.err;
+    EXPECT_THAT (done.err, HasSubstr (words));
+  };
+  refused ("DISPLAY is not set");
+  std::filesystem::remove (folder_ ("case/depth_1.png"));
+  std::filesystem::remove (folder_ ("case/color_1.png"));
+  refused ("two are needed");
 }
 
 } // namespace

@@ -48,6 +48,11 @@ TEST (ReportTool, RefusesInOneLine)
     EXPECT_EQ (refused.status, 1) << arguments;
     EXPECT_EQ (refused.errorLines(), 1) << refused.err;
   }
+  writeFile (folder ("t.csv"), "a,b\n1,2\n");
+  const ToolRun refused = runTool (
+      folder, kTool + "--csv " + folder ("t.csv") + " --output " + folder (""));
+  EXPECT_EQ (refused.status, 1);
+  EXPECT_THAT (refused.err, HasSubstr ("is a folder; give a file"));
   EXPECT_EQ (runTool (folder, kTool + "--help").status, 0);
 }
 

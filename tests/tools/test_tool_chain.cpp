@@ -111,6 +111,35 @@ TEST_F (ToolChain, PairsWindowsAndTrackingCanBeShown)
   }
 }
 
+TEST_F (ToolChain, ResultsWithoutCloudsAreReportedAndNotDrawn)
+{
+  synthesize ("seq", 3);
+  expectSuccess ("stream",
+                 folder_ ("seq") + " --as-fast-as-possible --flow --quiet --output " +
+                     folder_ ("stream"));
+  expectSuccess ("scene_flow",
+                 folder_ ("seq") + " --outputs flow --quiet --output " +
+                     folder_ ("flow"));
+  fs::create_directory (folder_ ("cloud"));
+  writeFile (folder_ ("cloud/report.json"), "{}"); // as of pcl_msf_register
+  fs::copy (PCL_MSF_SOURCE "/LICENSE", folder_ ("cloud/registered.pcd"));
+  for (const char* name : {"stream", "flow"})
+    expectSuccess ("report",
+                   folder_ (name) + " --output " + folder_ (name) + "/index.html");
+  const std::string page = readFile (folder_ ("stream/index.html"));
+  for (const char* row : {"tracked</th><td class=\"number\">3<",
+                          "lost</th><td class=\"number\">0<",
+                          "<th>frames a second</th>",
+                          "<th>latency, ms</th>"})
+    EXPECT_THAT (page, HasSubstr (row));
+  if (hasTool ("render"))
+    for (const char* name : {"stream", "flow", "cloud"})
+      expectRefusal ("render",
+                     folder_ (name) + " --sequence " + folder_ ("seq") +
+                         " --kind warped --output " + folder_ ("drawn"),
+                     {"scene_flow_R_K.pcd", "--outputs"});
+}
+
 /** README's table of files is about what is written. */
 TEST_F (ToolChain, WritesWhatTheReadmeLists)
 {

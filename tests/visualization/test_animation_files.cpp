@@ -49,6 +49,8 @@ TEST_F (AnimationFiles, NothingIsLeftOfWhatFails)
 {
   expectIoError (
       [this] { writeMp4 (folder_ ("a.mp4"), {}, 10.0); }, "a.mp4", "picture");
+  expectIoError (
+      [this] { writeMp4 (folder_ ("a.gif"), pictures_, 10.0); }, "a.gif", ".mp4");
   int asked = 0;
   expectIoError (
       [&] {

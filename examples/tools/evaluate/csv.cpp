@@ -166,6 +166,8 @@ public:
     if (end == std::string::npos)
       return false;
     line = text_.substr (at_, end - at_);
+    if (!line.empty() && line.back() == '\r') // as some editors save it
+      line.pop_back();
     at_ = end + 1;
     ++number_;
     return true;

@@ -5,17 +5,25 @@
 
 #include "common/command_line.h"
 #include "common/input_files.h"
+#include "common/interruption.h"
 #include "common/tool_main.h"
+#include "io/base/classic_locale.h"
+#include "io/base/output_file.h"
 #include <CLI/App.hpp>
 #include <pcl_msf/errors.h>
+#include <pcl_msf/io/cloud_files.h>
 #include <pcl_msf/piecewise_rigid_registration.h>
 
 #include <iostream>
+#include <tuple>
 
 namespace {
 
 using namespace pcl_msf;
 using namespace pcl_msf::tool;
+
+constexpr const char* kProgram = "pcl_msf_register_clouds";
+
 using Cloud = pcl::PointCloud<pcl::PointXYZRGBA>;
 
 struct RegisterOptions {
@@ -33,13 +41,13 @@ declareOptions (CLI::App& app, RegisterOptions& o)
       ->required();
 }
 
-Cloud::Ptr
-load (const std::string& path)
+void
+save (const std::string& path, const Cloud& cloud)
 {
-  const auto cloud = pcl::make_shared<Cloud>();
-  if (pcl::io::loadPCDFile (path, *cloud) < 0)
-    throw IoError (path + ": cannot be read as .pcd; check the path and the format");
-  return cloud;
+  io::writeThenRename (path, [&cloud] (const std::string& temporary) {
+    const io::ClassicLocale classic;
+    pcl::PCDWriter().writeBinary (temporary, cloud);
+  });
 }
 
 int
@@ -49,18 +57,24 @@ run (const RegisterOptions& o)
   inputs.add (o.reference);
   inputs.add (o.current);
   requireNoInput ("WARPED", o.warped, inputs);
+  const auto clouds = io::readOrganizedClouds ({o.reference, o.current});
+  for (const auto& [path, cloud] :
+       {std::tie (o.reference, clouds[0]), std::tie (o.current, clouds[1])})
+    if (cloud->front().a == 0)
+      complain (kProgram, "warning: " + path + ": no colour found: geometry alone");
   PiecewiseRigidRegistration<pcl::PointXYZRGBA> registration;
-  registration.setInputSource (load (o.reference));
-  registration.setInputTarget (load (o.current));
+  registration.setInputSource (clouds[0]);
+  registration.setInputTarget (clouds[1]);
+  registration.setProgressCallback ([] (const Progress&) { return !interrupted(); });
   Cloud warped;
   registration.align (warped);
+  throwIfInterrupted();
   if (!registration.hasConverged())
     throw InvalidInput (registration.getReport().message);
   std::cout << registration.getSceneFlow().groups << " motion groups, dominant motion\n"
             << registration.getFinalTransformation() << "\nmean squared distance "
             << registration.getFitnessScore() << " m^2\n";
-  if (pcl::io::savePCDFileBinary (o.warped, warped) != 0)
-    throw IoError (o.warped + ": cannot be written; check the folder");
+  save (o.warped, warped);
   return 0;
 }
 
@@ -70,7 +84,7 @@ int
 main (int argc, char** argv)
 {
   return toolMain<RegisterOptions> (
-      {"pcl_msf_register_clouds",
+      {kProgram,
        "Registers two organized clouds and saves the first one carried to the second.",
        declareOptions,
        run},

@@ -3,7 +3,9 @@
 #include "render/inputs.h"
 
 #include "common/default_estimation.h"
+#include "common/depth_check.h"
 #include "common/interruption.h"
+#include "common/outcome_text.h"
 #include "common/result_folder.h"
 #include "common/tool_main.h"
 #include <pcl_msf/errors.h>
@@ -91,11 +93,36 @@ colorUnit (const io::RgbdImages& reference, const io::RgbdSequence& frames, int 
   return io::colorUnit ({&reference, &current});
 }
 
+void
+warn (const std::string& problem)
+{
+  if (!problem.empty())
+    complain ("pcl_msf_render", "warning: " + problem);
+}
+
+std::string
+nameOf (const RenderOptions& options, int frame)
+{
+  return options.input + ": frame " + std::to_string (frame);
+}
+
+/** A frame that is to be registered, and a line about what is doubtful in it. */
+io::RgbdImages
+readFrame (const io::RgbdSequence& frames, const RenderOptions& options, int frame)
+{
+  io::RgbdImages images = frames.frame (frame);
+  const std::string name = nameOf (options, frame);
+  if (!images.note.empty())
+    warn (name + ": " + images.note);
+  warn (checkDepth (images.depth, {}, name, options.reading.depth_scale));
+  return images;
+}
+
 /** A folder with frames: the scene flow is computed here. */
 RenderInputs
 estimate (const RenderOptions& options)
 {
-  const auto frames = openFrames (options.input, options.reading);
+  const auto frames = openFramesNotResults (options.input, options.reading);
   if (fs::is_directory (fs::path (options.input) / frames->name()))
     throw UsageError (options.input +
                       ": neither scene_flow_R_K.pcd of "
@@ -109,11 +136,7 @@ estimate (const RenderOptions& options)
   requireFrame (*frames, std::max (first, last));
   if (current <= first)
     throw UsageError ("--frame: must come after --reference in a folder with frames");
-  io::RgbdImages reference = frames->frame (first);
-  if (!reference.note.empty())
-    complain ("pcl_msf_render",
-              "warning: " + options.input + ": frame " + std::to_string (first) + ": " +
-                  reference.note);
+  io::RgbdImages reference = readFrame (*frames, options, first);
   const double unit = colorUnit (reference, *frames, current);
   io::setColorUnit (reference, unit);
   const DefaultEstimation estimation (reference);
@@ -124,13 +147,17 @@ estimate (const RenderOptions& options)
       continue;
     if (!options.quiet && isatty (STDERR_FILENO) != 0)
       std::fprintf (stderr, "scene flow from frame %d to %d\n", first, k);
-    io::RgbdImages images = frames->frame (k);
+    io::RgbdImages images = readFrame (*frames, options, k);
     io::setColorUnit (images, unit);
     SceneFlow flow = estimation.to (images, [] { return !interrupted(); });
     inputs.displacements.push_back (flow.displacement);
+    const std::string problem = problemOf (flow.report);
+    if (!problem.empty())
+      warn (nameOf (options, first) + " to " + std::to_string (k) + ": " + problem);
+    inputs.converged = inputs.converged && problem.empty();
     if (k == current) {
-      takeCurrent (images, inputs.result);
       inputs.result.scene_flow = std::move (flow);
+      takeCurrent (images, inputs.result);
     }
   }
   return inputs;

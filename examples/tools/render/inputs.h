@@ -16,9 +16,11 @@ namespace pcl_msf::tool {
 struct RenderInputs {
   visualization::ResultClouds result;
   std::vector<cv::Mat> displacements; ///< frame 1, 2, ... of the window, CV_32FC3
+  bool converged{true};               ///< as far as the scene flow was computed here
 };
 
-/** \brief Reads a result folder, or estimates the scene flow of a folder with frames.
+/** \brief Reads a result folder, or estimates the scene flow of a folder with frames;
+ * what is doubtful there becomes a line on stderr.
  * \throws IoError, InvalidInput, UsageError, Interrupted */
 RenderInputs
 loadRenderInputs (const RenderOptions& options);

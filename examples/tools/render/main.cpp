@@ -16,6 +16,7 @@ using namespace pcl_msf;
 using namespace pcl_msf::tool;
 
 constexpr const char* kProgram = "pcl_msf_render";
+constexpr int kNotConverged = 3; // exit status; everything was written
 
 int
 run (const RenderOptions& options)
@@ -26,11 +27,11 @@ run (const RenderOptions& options)
   // Before the work: it may be the wrong one.
   OutputFolder output (options.output, kProgram, resultOf (options));
   prepareOutput (options, output);
-  for (const std::string& file :
-       writeRenders (loadRenderInputs (options), options, output))
+  const RenderInputs inputs = loadRenderInputs (options);
+  for (const std::string& file : writeRenders (inputs, options, output))
     if (!options.quiet)
       std::printf ("%s\n", file.c_str());
-  return 0;
+  return inputs.converged ? 0 : kNotConverged;
 }
 
 } // namespace

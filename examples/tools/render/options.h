@@ -68,7 +68,8 @@ constexpr const char* kSummary =
     "bodies_R.png and visibility_R_K.png when they are there. Kinds that show the\n"
     "current frame need --sequence. FOLDER holds frames, as pcl_msf_scene_flow takes\n"
     "them; their scene flow is computed first, with the default parameters. Without\n"
-    "a display an Xvfb is started.";
+    "a display an Xvfb is started. Exit status: 0 = written, 3 = written, but a scene\n"
+    "flow that was computed has not converged, else an error.";
 
 /** \brief Adds the options to a command line, which checks them when it is read; it
  * throws UsageError then. */

@@ -246,9 +246,8 @@ prepareOutput (const RenderOptions& options, OutputFolder& output)
            (name.rfind (animation + "/", 0) == 0 || name == animation + ".gif" ||
             name == animation + ".mp4");
   };
-  const std::string result = resultOf (options);
   output.keep ([&] (const std::string& name, const std::string& group) {
-    return group == result && !moves (name);
+    return group == output.group() && !moves (name);
   });
   InputFiles inputs;
   for (const std::string& recording : {options.input, options.sequence})

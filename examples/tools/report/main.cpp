@@ -77,6 +77,11 @@ readEntries (const std::vector<std::string>& folders)
 void
 checkOutput (const ReportOptions& options, const std::vector<std::string>& folders)
 {
+  if (std::filesystem::is_directory (options.output))
+    throw UsageError ("--output: '" + options.output +
+                      "' is a folder; give a file, for "
+                      "example " +
+                      (std::filesystem::path (options.output) / "index.html").string());
   InputFiles inputs;
   for (const auto& paths : {options.tables, folders})
     for (const std::string& path : paths)

@@ -4,6 +4,7 @@
 #include <pcl/console/print.h>
 
 #include "common/input_files.h"
+#include "common/outcome_text.h"
 #include "common/output_folder.h"
 #include "common/output_manifest.h"
 #include "common/tool_main.h"
@@ -77,14 +78,13 @@ recordOf (const Outcome& outcome, const Inputs& inputs, int window)
 bool
 warnUnlessConverged (const Outcome& outcome)
 {
-  const Report& report = outcome.lastFlow().report;
-  if (!report.converged)
+  const std::string problem = problemOf (outcome.lastFlow().report);
+  if (!problem.empty())
     complain (kProgram,
               "warning: frames " + std::to_string (outcome.reference()) + " to " +
-                  std::to_string (outcome.indices[outcome.lastTarget()]) +
-                  ": not converged (" + toString (report.stop_reason) + ")" +
-                  (report.message.empty() ? "" : " ") + report.message);
-  return report.converged;
+                  std::to_string (outcome.indices[outcome.lastTarget()]) + ": " +
+                  problem);
+  return problem.empty();
 }
 
 /** Where a run's files go, window by window. */

@@ -3,6 +3,7 @@
 #include "stream/stream_tracker.h"
 
 #include "common/interruption.h"
+#include "common/outcome_text.h"
 #include <pcl_msf/errors.h>
 
 namespace pcl_msf::tool {
@@ -24,15 +25,6 @@ interruptible (SolverParameters solver)
 {
   solver.progress = [] (const Progress&) { return !interrupted(); };
   return solver;
-}
-
-std::string
-problemOf (const Report& report)
-{
-  if (report.converged)
-    return {};
-  return std::string ("not converged (") + toString (report.stop_reason) + ")" +
-         (report.message.empty() ? "" : " ") + report.message;
 }
 
 } // namespace

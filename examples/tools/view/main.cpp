@@ -3,7 +3,9 @@
 // A live window on a scene flow: results or a sequence that is being solved.
 #include "common/command_line.h"
 #include "common/default_estimation.h"
+#include "common/depth_check.h"
 #include "common/interruption.h"
+#include "common/outcome_text.h"
 #include "common/recordings.h"
 #include "common/result_folder.h"
 #include "common/tool_main.h"
@@ -12,6 +14,7 @@
 #include <pcl_msf/visualization/virtual_display.h>
 
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -56,46 +59,72 @@ resultMaker (const ViewOptions& options, std::vector<ResultPair> pairs)
       };
 }
 
+void
+warn (int frame, const std::string& problem)
+{
+  if (!problem.empty())
+    complain ("pcl_msf_view",
+              "warning: frame " + std::to_string (frame) + ": " + problem);
+}
+
 /** Every frame to the next. */
 SequenceSolver::Maker
-pairMaker (std::shared_ptr<const io::RgbdSequence> frames)
+pairMaker (std::shared_ptr<const io::RgbdSequence> frames, std::optional<double> scale)
 {
   auto reference = std::make_shared<io::RgbdImages> (frames->frame (0));
   if (!reference->note.empty())
-    complain ("pcl_msf_view", "warning: frame 0: " + reference->note);
-  return [frames, reference] (int pair, const std::function<bool()>& go_on) {
+    warn (0, reference->note);
+  warn (0, checkDepth (reference->depth, {}, "depth", scale));
+  return [=] (int pair, const std::function<bool()>& go_on) {
     io::RgbdImages current = frames->frame (pair + 1);
+    warn (pair + 1, checkDepth (current.depth, {}, "depth", scale));
     visualization::ResultClouds result = estimatePair (*reference, current, go_on);
+    warn (pair + 1, problemOf (result.scene_flow.report));
     *reference = std::move (current);
     return result;
   };
 }
 
-std::unique_ptr<SequenceSolver>
-makeSolver (const ViewOptions& options)
+/** What there is to show. */
+struct Pairs {
+  int count;
+  SequenceSolver::Maker make;
+};
+
+Pairs
+openPairs (const ViewOptions& options)
 {
   const std::vector<ResultPair> pairs = resultPairs (options.input);
   if (!pairs.empty())
-    return std::make_unique<SequenceSolver> (static_cast<int> (pairs.size()),
-                                             resultMaker (options, pairs));
-  const auto frames = openFrames (options.input, options.reading);
-  return std::make_unique<SequenceSolver> (frames->frames() - 1, pairMaker (frames));
+    return {static_cast<int> (pairs.size()), resultMaker (options, pairs)};
+  const auto frames = openFramesNotResults (options.input, options.reading);
+  if (frames->frames() < 2)
+    throw UsageError ("'" + options.input + "': holds one frame; two are needed");
+  return {frames->frames() - 1, pairMaker (frames, options.reading.depth_scale)};
+}
+
+/** Is there something to look at, or will there be? */
+bool
+isOfUse (const SequenceSolver& solver)
+{
+  return solver.problem().empty() || solver.solved() > 0;
 }
 
 int
 run (const ViewOptions& options)
 {
+  const Pairs pairs = openPairs (options);
   std::shared_ptr<void> display; // is there as long as the window
   const std::string problem = visualization::displayProblem (&display);
   if (!problem.empty())
     throw UsageError (problem + "; a live window needs one; pcl_msf_render makes "
                                 "pictures without");
-  const std::unique_ptr<SequenceSolver> solver = makeSolver (options);
-  ViewWindow window (*solver);
-  while (!interrupted() && window.spin()) {
+  SequenceSolver solver (pairs.count, pairs.make);
+  ViewWindow window (solver);
+  while (!interrupted() && isOfUse (solver) && window.spin()) {
   }
-  if (!solver->problem().empty() && !interrupted())
-    throw std::runtime_error (solver->problem());
+  if (!solver.problem().empty() && !interrupted())
+    throw std::runtime_error (solver.problem());
   return interrupted() ? interruptedStatus() : 0;
 }
 

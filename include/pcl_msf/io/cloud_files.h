@@ -13,6 +13,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace pcl_msf::io {
 
@@ -27,20 +28,14 @@ struct CloudPixels {
 
 PCL_MSF_EXPORT CloudPixels
 readCloudPixels (const std::string& path);
-} // namespace detail
 
-/** \brief Reads an organized cloud from a .pcd file (ascii, binary or compressed).
- *
- * Fields x y z are required (camera frame, NaN = no point). Colour is, in this order:
- * rgb or rgba as PCL packs them or of three numbers; r g b; red green blue; intensity
- * (or intensities, gray, grey). Bytes are 0 .. 255; other numbers are brought to that
- * range by normalizeIntensity, from the values of this cloud. Other fields are ignored.
- * With colour every point's alpha is 255, without any it is 0.
- * \throws IoError for anything else, unorganized clouds included */
+/** Several, whose colours have one unit. */
+PCL_MSF_EXPORT std::vector<CloudPixels>
+readCloudPixels (const std::vector<std::string>& paths);
+
 inline pcl::PointCloud<pcl::PointXYZRGBA>::Ptr
-readOrganizedCloud (const std::string& path)
+cloudOf (const CloudPixels& pixels)
 {
-  const detail::CloudPixels pixels = detail::readCloudPixels (path);
   const auto cloud = pcl::make_shared<pcl::PointCloud<pcl::PointXYZRGBA>> (
       pixels.points.cols, pixels.points.rows);
   cloud->is_dense = false;
@@ -60,6 +55,35 @@ readOrganizedCloud (const std::string& path)
       point.a = color[3];
     }
   return cloud;
+}
+} // namespace detail
+
+/** \brief Reads an organized cloud from a .pcd file (ascii, binary or compressed).
+ *
+ * Fields x y z are required (camera frame, NaN = no point). Colour is, in this order:
+ * rgb or rgba as PCL packs them or of three numbers; r g b; red green blue; intensity
+ * (or intensities, gray, grey). Bytes are 0 .. 255; other numbers are brought to that
+ * range by normalizeIntensity, from the values of this cloud: read clouds of one scene
+ * by readOrganizedClouds. Other fields are ignored.
+ * With colour every point's alpha is 255, without any it is 0.
+ * \throws IoError for anything else, unorganized clouds included */
+inline pcl::PointCloud<pcl::PointXYZRGBA>::Ptr
+readOrganizedCloud (const std::string& path)
+{
+  return detail::cloudOf (detail::readCloudPixels (path));
+}
+
+/** \brief Reads clouds that are to be registered: as readOrganizedCloud, but colours
+ * that are no bytes are brought to that range from the values of all of them, so that
+ * what is equally bright stays so. \throws IoError, also as readOrganizedCloud, and
+ * InvalidInput when they have two units (shares of 1, 0 to 255) */
+inline std::vector<pcl::PointCloud<pcl::PointXYZRGBA>::Ptr>
+readOrganizedClouds (const std::vector<std::string>& paths)
+{
+  std::vector<pcl::PointCloud<pcl::PointXYZRGBA>::Ptr> clouds;
+  for (const detail::CloudPixels& pixels : detail::readCloudPixels (paths))
+    clouds.push_back (detail::cloudOf (pixels));
+  return clouds;
 }
 
 /** \brief Reads an organized cloud as images, see readOrganizedCloud; `note` says when

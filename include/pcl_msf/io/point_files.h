@@ -21,8 +21,8 @@ struct PointFile {
 };
 
 /** \brief Reads the points of a .pcd, .ply (ascii or binary) or .obj file; of the last
- * two the vertices. Fields other than x y z and, in .pcd and .ply, colours are ignored.
- * \throws IoError */
+ * two the vertices. Fields other than x y z and, in .pcd and .ply, colours are ignored;
+ * a .pcd's are those of readOrganizedCloud. \throws IoError */
 PCL_MSF_EXPORT PointFile
 readPoints (const std::string& path);
 

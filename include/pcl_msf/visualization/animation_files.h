@@ -14,9 +14,10 @@ namespace pcl_msf::visualization {
  * by OpenCV's FFmpeg.
  *
  * The file is written under a temporary name and renamed. Odd sizes lose a row or
- * column. \param pictures PNG files of one size, in order \param rate pictures per
+ * column. \param path ends in .mp4
+ * \param pictures PNG files of one size, in order \param rate pictures per
  * second, > 0 \param cancelled asked before every picture; true gives up \throws
- * IoError when OpenCV has no encoder, it fails, or it is cancelled */
+ * IoError for another name, when OpenCV has no encoder, it fails, or it is cancelled */
 PCL_MSF_EXPORT void
 writeMp4 (const std::string& path,
           const std::vector<std::string>& pictures,

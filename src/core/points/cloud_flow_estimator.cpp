@@ -49,7 +49,7 @@ CloudFlowEstimator::estimate (const std::vector<Eigen::Vector3f>& source,
   const double solve_seconds = secondsSince (begin) - segment_seconds;
   CloudFlow flow = makeCloudFlow (
       clouds, solve, source, solver_.merge_bodies, tuning.points, threads);
-  noteOutcome (progress, tuning.points.result.unexplained, flow);
+  noteOutcome (progress, tuning.points.result, flow);
   flow.report.segment_seconds = segment_seconds;
   flow.report.solve_seconds = solve_seconds;
   flow.report.result_seconds = secondsSince (begin) - segment_seconds - solve_seconds;

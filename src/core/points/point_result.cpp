@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/points/point_result.h"
 
+#include "core/base/number_text.h"
 #include "core/base/parallel_for.h"
 #include "core/points/cloud_joints.h"
 #include "core/points/rigid_parts.h"
@@ -158,7 +159,9 @@ makeCloudFlow (const PointClouds& clouds,
 }
 
 void
-noteOutcome (const SolveProgress& progress, double unexplained, CloudFlow& flow)
+noteOutcome (const SolveProgress& progress,
+             const PointResultTuning& tuning,
+             CloudFlow& flow)
 {
   Report& report = flow.report;
   report.iterations = progress.iterations();
@@ -171,7 +174,13 @@ noteOutcome (const SolveProgress& progress, double unexplained, CloudFlow& flow)
   const double missing = 1.0 - std::max (flow.explained_source, flow.explained_target);
   if (progress.stopped())
     report.message = "ended before its end; the result is the best so far";
-  else if (missing > unexplained) {
+  else if (flow.explained_source < tuning.least_source) {
+    report.stop_reason = StopReason::DifferentPlaces;
+    report.message = "only " + fixedText (100.0 * flow.explained_source, 1) +
+                     " % of the source is found on the target, too little to tell how "
+                     "the rest moves: give a target that shows more of it";
+  }
+  else if (missing > tuning.unexplained) {
     report.stop_reason = StopReason::DifferentPlaces;
     report.message = "parts of both clouds are not found on each other: give a start "
                      "that is nearer, or clouds that show the same";

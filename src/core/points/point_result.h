@@ -20,8 +20,10 @@ makeCloudFlow (const PointClouds& clouds,
 
 /** \brief Fills in the report: how it ended, and whether the clouds were found on each
  * other.
- * \param unexplained share of both clouds that may lie elsewhere */
+ * \param tuning how much of the clouds must be found on each other */
 void
-noteOutcome (const SolveProgress& progress, double unexplained, CloudFlow& flow);
+noteOutcome (const SolveProgress& progress,
+             const PointResultTuning& tuning,
+             CloudFlow& flow);
 
 } // namespace pcl_msf

@@ -47,7 +47,7 @@ FrameParameters::isValid (std::string* why) const
           "smoothing_sigma must be in [0, 10] px");
   r.need (between (min_depth, 0.0, kHuge), "min_depth must be >= 0 m");
   r.need (between (max_depth, 0.0, kHuge) && max_depth > min_depth,
-          "max_depth must be greater than min_depth");
+          "max_depth must be greater than min_depth and at most 1e12 m");
   r.need (max_levels >= 1 && max_levels <= 10, "max_levels must be in [1, 10]");
   return r.met (why);
 }

@@ -2,29 +2,130 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "io/base/output_file.h"
 
+#include "io/base/file_lock.h"
+#include <fcntl.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/folders.h>
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <memory>
+#include <regex>
 
 namespace pcl_msf::io {
 
 namespace {
 
-/** A name of its own for every writer of every process, hidden, beside the target. */
-std::string
-temporaryName (const std::filesystem::path& path)
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestExtension = 8;
+constexpr int kMostLinks = 40; // as Linux has it
+
+[[noreturn]] void
+failToWrite (const fs::path& path)
 {
-  static std::atomic<unsigned> counter{0};
-  const std::string name = "." + path.filename().string() + "." +
-                           std::to_string (getpid()) + "." +
-                           std::to_string (counter++) + ".part";
-  return (path.parent_path() / name).string();
+  throw IoError (path.string() + ": cannot be written; check that its folder exists, "
+                                 "may be written to and has space");
 }
+
+/** The file that links lead to, so that they stay; it need not be there. */
+fs::path
+placeOf (const fs::path& path)
+{
+  fs::path place = path;
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && fs::is_symlink (place, error); ++i)
+    place = place.parent_path() / fs::read_symlink (place, error);
+  const fs::file_status there = fs::status (place, error);
+  if (fs::exists (there) && !fs::is_regular_file (there))
+    throw IoError (path.string() + ": cannot be written: what is there is no regular "
+                                   "file; give another name");
+  return place;
+}
+
+/** A file of its own for every writer of every process, hidden, locked while it is
+ * written; gone in the end, unless it was renamed. */
+class TemporaryFile {
+public:
+  explicit TemporaryFile (const fs::path& target)
+  {
+    const std::string extension = target.extension().string();
+    while (!make (target.parent_path() /
+                  (".pcl_msf." + std::to_string (getpid()) + "." +
+                   std::to_string (next()) + ".part" +
+                   (extension.size() > kLongestExtension ? "" : extension))))
+      ;
+    if (!lock_->isOpen())
+      failToWrite (target);
+  }
+  ~TemporaryFile()
+  {
+    std::error_code ignored;
+    if (!path_.empty())
+      fs::remove (path_, ignored);
+  }
+  TemporaryFile (const TemporaryFile&) = delete;
+  TemporaryFile&
+  operator= (const TemporaryFile&) = delete;
+
+  std::string
+  path () const
+  {
+    return path_.string();
+  }
+  void
+  rename (const fs::path& target)
+  {
+    fs::rename (path_, target);
+    path_.clear();
+  }
+
+  /** Those of writers that are no more, in a folder. */
+  static void
+  removeDead (const fs::path& folder)
+  {
+    static const std::regex name (R"(\.pcl_msf\.[0-9]+\.[0-9]+\.part(\..*)?)");
+    std::error_code error;
+    fs::directory_iterator entry (folder.empty() ? "." : folder, error);
+    for (; !error && entry != fs::directory_iterator(); entry.increment (error)) {
+      const std::string file = entry->path().filename().string();
+      if (file.front() != '.' || !std::regex_match (file, name) ||
+          !fs::is_regular_file (entry->symlink_status()))
+        continue;
+      std::error_code ignored;
+      if (FileLock (entry->path().string()).isOurs())
+        fs::remove (entry->path(), ignored);
+    }
+  }
+
+private:
+  static unsigned
+  next ()
+  {
+    static std::atomic<unsigned> counter{0};
+    return counter++;
+  }
+  /** False when the name is taken, or another writer took the file for dead before it
+   * was locked. */
+  bool
+  make (const fs::path& path)
+  {
+    lock_ = std::make_unique<FileLock> (path.string(), O_CREAT | O_EXCL);
+    if (!lock_->isOpen())
+      return errno != EEXIST;
+    if (lock_->isHeld() || !fs::exists (path))
+      return false;
+    path_ = path;
+    return true;
+  }
+
+  fs::path path_;
+  std::unique_ptr<FileLock> lock_;
+};
 
 } // namespace
 
@@ -32,8 +133,8 @@ void
 makeFolder (const std::string& path)
 {
   std::error_code error;
-  std::filesystem::create_directories (path, error);
-  if (error || !std::filesystem::is_directory (path))
+  fs::create_directories (path, error);
+  if (error || !fs::is_directory (path))
     throw IoError (path + ": the folder cannot be made; choose another");
 }
 
@@ -41,20 +142,18 @@ void
 writeThenRename (const std::string& path,
                  const std::function<void (const std::string&)>& write)
 {
-  const std::string temporary = temporaryName (path);
-  std::error_code ignored;
+  const fs::path place = placeOf (path);
+  TemporaryFile::removeDead (place.parent_path());
+  TemporaryFile temporary (place);
   try {
-    write (temporary);
-    std::filesystem::rename (temporary, path);
+    write (temporary.path());
+    temporary.rename (place);
   }
   catch (const IoError&) {
-    std::filesystem::remove (temporary, ignored);
     throw;
   }
   catch (const std::exception&) {
-    std::filesystem::remove (temporary, ignored);
-    throw IoError (path + ": cannot be written; check that its folder exists, may be "
-                          "written to and has space");
+    failToWrite (path);
   }
 }
 

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace pcl_msf::io {
 
@@ -55,17 +56,29 @@ finitePoints (const cv::Mat& points, bool ahead)
 detail::CloudPixels
 detail::readCloudPixels (const std::string& path)
 {
-  CloudPixels pixels;
-  const pcl::PCLPointCloud2 blob = readPcd (path, &pixels.viewpoint);
-  const CloudFields fields (blob, path);
-  pixels.points = coordinatesOf (blob, fields);
-  RgbdImages images;
-  takeColors (blob, fields, images);
-  if (images.color.empty())
-    pixels.bgra = cv::Mat (pixels.points.size(), CV_8UC4, cv::Scalar::all (0));
-  else
-    cv::cvtColor (images.color, pixels.bgra, cv::COLOR_BGR2BGRA);
-  return pixels;
+  return readCloudPixels (std::vector<std::string>{path}).front();
+}
+
+std::vector<detail::CloudPixels>
+detail::readCloudPixels (const std::vector<std::string>& paths)
+{
+  std::vector<CloudPixels> clouds (paths.size());
+  std::vector<RgbdImages> images (paths.size());
+  std::vector<RgbdImages*> all;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const pcl::PCLPointCloud2 blob = readPcd (paths[i], &clouds[i].viewpoint);
+    const CloudFields fields (blob, paths[i]);
+    clouds[i].points = coordinatesOf (blob, fields);
+    takeColors (blob, fields, images[i]);
+    all.push_back (&images[i]);
+  }
+  unifyColors (all);
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    if (images[i].color.empty())
+      clouds[i].bgra = cv::Mat (clouds[i].points.size(), CV_8UC4, cv::Scalar::all (0));
+    else
+      cv::cvtColor (images[i].color, clouds[i].bgra, cv::COLOR_BGR2BGRA);
+  return clouds;
 }
 
 RgbdImages

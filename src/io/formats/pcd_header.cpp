@@ -164,7 +164,7 @@ checkPcdHeader (const std::string& path, PcdShape shape)
   if (shape == PcdShape::Image && height <= 1)
     file.fail ("HEIGHT",
                "the cloud is not organized (height 1); save it as an image of width x "
-               "height points");
+               "height points, or give it to pcl_msf_register, which needs no grid");
   checkSize (file, path, shape, width, height);
   if (points != width * height)
     file.fail ("POINTS",

@@ -3,6 +3,7 @@
 #include "core/base/number_text.h"
 #include "io/base/input_file.h"
 #include "io/base/output_file.h"
+#include "io/formats/cloud_colors.h"
 #include "io/formats/cloud_fields.h"
 #include "io/formats/pcd_blob.h"
 #include "io/formats/ply_reader.h"
@@ -10,7 +11,6 @@
 #include <pcl_msf/io/point_files.h>
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <sstream>
 
@@ -30,12 +30,13 @@ readPcdPoints (const std::string& path)
     Eigen::Vector3f p;
     fields.position (bytes, p.x(), p.y(), p.z());
     result.points.push_back (p);
-    if (!fields.packedColor())
-      continue;
-    std::uint32_t color = 0;
-    std::memcpy (&color, bytes + fields.packedColor()->offset, sizeof (color));
-    result.colors.push_back (color & 0xFFFFFFU);
   }
+  RgbdImages images;
+  takeColors (blob, fields, images);
+  if (!images.color.empty())
+    for (const auto& bgr : cv::Mat_<cv::Vec3b> (images.color))
+      result.colors.push_back (std::uint32_t{bgr[2]} << 16U |
+                               std::uint32_t{bgr[1]} << 8U | bgr[0]);
   return result;
 }
 

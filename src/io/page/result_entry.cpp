@@ -186,12 +186,19 @@ addRenders (const Pictures& pictures, HtmlEntry& entry)
       entry.pictures.push_back ({path, kind.caption});
 }
 
-/** Numbers worth a table, as far as the report has them. */
+/** Numbers worth a table, as far as the report has them: of pcl_msf_scene_flow,
+ * pcl_msf_register or pcl_msf_stream. */
 std::vector<std::pair<std::string, std::string>>
 numbersOf (const Json& report)
 {
   constexpr std::pair<const char*, const char*> kShown[] = {
       {"frames", "/frames"},
+      {"tracked", "/tracked"},
+      {"lost", "/lost"},
+      {"dropped", "/dropped"},
+      {"frames a second", "/frames_per_second"},
+      {"latency, ms", "/latency_ms/median"},
+      {"points", "/points"},
       {"width", "/width"},
       {"height", "/height"},
       {"segments", "/segments"},

@@ -162,6 +162,32 @@ TEST (CloudFlowEstimator, UnknownPointsStayUnknownAndDoublesGoTogether)
   EXPECT_TRUE (flow.warped[0].allFinite());
 }
 
+/** A wavy surface of points and its corner. */
+Points
+waves (int side, float spacing)
+{
+  Points points;
+  for (int v = 0; v < side; ++v)
+    for (int u = 0; u < side; ++u) {
+      const Eigen::Vector2f p = spacing * Eigen::Vector2f (u, v);
+      points.emplace_back (p.x(),
+                           p.y(),
+                           2.0F + 0.1F * std::sin (3.0F * p.x()) *
+                                      std::cos (2.0F * p.y()));
+    }
+  return points;
+}
+
+TEST (CloudFlowEstimator, ATargetThatIsNearlyNothingIsNoSuccess)
+{
+  const Points source = waves (40, 0.1F);
+  const CloudFlow flow = estimate (source, waves (12, 0.005F));
+  EXPECT_FALSE (flow.report.converged);
+  EXPECT_EQ (flow.report.stop_reason, StopReason::DifferentPlaces);
+  EXPECT_THAT (flow.report.message, ::testing::HasSubstr ("of the source"));
+  EXPECT_TRUE (estimate (source, source).report.converged);
+}
+
 TEST (CloudFlowEstimator, SaysWhatItCannotTake)
 {
   const ChainCloud chain = drawChain (BoxChain(), 3000, false, 14);

@@ -68,7 +68,8 @@ partValues (PointTuning& tuning)
           {"points.result.found", &result.found, 1e-3, 1000},
           {"points.result.normal_length", &result.normal_length, 0, 1},
           {"points.result.joint_share", &result.joint_share, 0, 1},
-          {"points.result.unexplained", &result.unexplained, 0, 1}};
+          {"points.result.unexplained", &result.unexplained, 0, 1},
+          {"points.result.least_source", &result.least_source, 0, 1}};
 }
 
 } // namespace

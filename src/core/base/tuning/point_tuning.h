@@ -95,6 +95,7 @@ struct PointResultTuning {
   double normal_length{0.02}; ///< sizes: what a difference of normals of 1 counts as
   double joint_share{0.02};   ///< of the points: a part that has joints
   double unexplained{0.02};   ///< of both clouds: something lies elsewhere
+  double least_source{0.05};  ///< share of the source that must be found
 };
 
 /** \brief The solve on points. */
