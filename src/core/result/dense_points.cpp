@@ -107,12 +107,13 @@ writeMotion (const Eigen::Vector3f& point,
              SceneFlow& result)
 {
   const Eigen::Vector3f d = moved - point;
-  result.displacement.at<cv::Vec3f> (y, x) = {d.x(), d.y(), d.z()};
+  result.displacement.ptr<cv::Vec3f> (y)[x] = {d.x(), d.y(), d.z()};
   if (moved.z() <= 1e-3f)
     return;
-  const Eigen::Vector2d uv = camera.project (moved.cast<double>());
-  result.flow.at<cv::Vec2f> (y, x) = {static_cast<float> (uv.x() - x),
-                                      static_cast<float> (uv.y() - y)};
+  const double w = 1.0 / moved.z();
+  result.flow.ptr<cv::Vec2f> (y)[x] = {
+      static_cast<float> (camera.fx * moved.x() * w + camera.cx - x),
+      static_cast<float> (camera.fy * moved.y() * w + camera.cy - y)};
 }
 
 } // namespace
@@ -138,7 +139,7 @@ fillPoints (const DataTerm& data,
       const int x = p.pixel[i] % size.width;
       const int y = p.pixel[i] / size.width;
       const Eigen::Vector3f point (p.x[i], p.y[i], p.z[i]);
-      result.points.at<cv::Vec3f> (y, x) = {p.x[i], p.y[i], p.z[i]};
+      result.points.ptr<cv::Vec3f> (y)[x] = {p.x[i], p.y[i], p.z[i]};
       if (known)
         writeMotion (
             point,

@@ -66,16 +66,49 @@ landingOf (const kernel::Image& image,
   return landing;
 }
 
+/** Where the result's motion takes the points. */
+class Landings {
+public:
+  Landings (const DataTerm& data,
+            const VisibilityTuning& tuning,
+            const SceneFlow& result)
+  : pixels_ (data.pixels())
+  , image_ (data.image())
+  , most_share_ (tuning.most_share)
+  , points_ (result.points.ptr<cv::Vec3f>())
+  , displacement_ (result.displacement.ptr<cv::Vec3f>())
+  {}
+
+  Landing
+  of (int point) const
+  {
+    const int pixel = pixels_.pixel[point];
+    return landingOf (image_,
+                      points_[pixel] + displacement_[pixel],
+                      pixels_.depth_tolerance[point],
+                      most_share_);
+  }
+
+private:
+  const SegmentPixels& pixels_;
+  const kernel::Image image_;
+  const float most_share_;
+  const cv::Vec3f* const points_;
+  const cv::Vec3f* const displacement_;
+};
+
 /** What the z-test's tolerances are too small by: noise that neighbouring pixels share
  * is in the residuals only, not in the frames' own estimates. */
 float
-widening (const std::vector<Landing>& landings, const SegmentPixels& pixels, float most)
+widening (const Landings& landings, const SegmentPixels& pixels, float most)
 {
   std::vector<float> sizes;
-  const std::size_t step = 1 + landings.size() / kMostSamples;
-  for (std::size_t i = 0; i < landings.size(); i += step) {
-    const float size = std::abs (landings[i].shown - landings[i].expected);
-    if (landings[i].shown > 0.0f && size <= most * pixels.depth_tolerance[i])
+  const std::size_t count = pixels.pixel.size();
+  const std::size_t step = 1 + count / kMostSamples;
+  for (std::size_t i = 0; i < count; i += step) {
+    const Landing landing = landings.of (static_cast<int> (i));
+    const float size = std::abs (landing.shown - landing.expected);
+    if (landing.shown > 0.0f && size <= most * pixels.depth_tolerance[i])
       sizes.push_back (size / pixels.depth_tolerance[i]);
   }
   if (sizes.empty())
@@ -212,16 +245,8 @@ fillVisibility (const DataTerm& data,
 {
   const SegmentPixels& p = data.pixels();
   const kernel::Image image = data.image();
-  const int count = static_cast<int> (p.pixel.size());
   result.visibility = cv::Mat (result.labels.size(), CV_8UC1, cv::Scalar (NoDepth));
-  std::vector<Landing> landings (count);
-  parallelFor (threads, count, 4096, [&] (int i) {
-    landings[i] = landingOf (image,
-                             result.points.ptr<cv::Vec3f>()[p.pixel[i]] +
-                                 result.displacement.ptr<cv::Vec3f>()[p.pixel[i]],
-                             p.depth_tolerance[i],
-                             tuning.most_share);
-  });
+  const Landings landings (data, tuning, result);
   const float wider = widening (landings, p, tuning.most_widening);
   const Surroundings surroundings (image);
   parallelFor (threads, p.segments(), 8, [&] (int k) {
@@ -231,7 +256,7 @@ fillVisibility (const DataTerm& data,
     for (int i = p.begin[k]; i < p.begin[k + 1]; ++i) {
       const Visibility seen = known ? visibilityOf (image,
                                                     surroundings,
-                                                    landings[i],
+                                                    landings.of (i),
                                                     wider * p.depth_tolerance[i],
                                                     tuning,
                                                     result.points,

@@ -108,12 +108,12 @@ TEST_F (LandingMapTest, AnotherStateTakesThePlaceOfTheFirst)
   together.body_of[test::kCovered] = 0;
   const DataTerm data = scene_.data();
   LandingMap renewed (data, {});
-  for (const MotionState* state : {&apart, &together, &apart}) {
-    renewed.enter (*state, 2);
+  for (const MotionState& state : {apart, together, apart}) {
+    renewed.enter (state, 2);
     for (int segment = 0; segment < 48; ++segment)
       for (const int body : {0, 1, 2})
         EXPECT_EQ (renewed.occupiedShare (data, segment, body),
-                   occupied (*state, segment, body));
+                   occupied (state, segment, body));
   }
 }
 

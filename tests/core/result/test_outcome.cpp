@@ -222,7 +222,7 @@ TEST_F (Outcome, WhatStandsBeforeHalfOfTheSceneIsNoFailure)
   EXPECT_GT (cv::countNonZero (flow.visibility == static_cast<int> (Occluded)), 1000);
   // Without colour the walls may slide: less of them may hide.
   view = scene_.render (true);
-  view.depth (cv::Rect (0, 0, 70, scene_.height)) = 0.4f;
+  view.depth (cv::Rect (0, 0, 60, scene_.height)) = 0.4f;
   const SceneFlow shape =
       align (frame ({}, scene_.render (false).depth), frame ({}, view.depth));
   EXPECT_TRUE (shape.report.converged) << shape.report.message;
