@@ -61,6 +61,8 @@ partValues (PointTuning& tuning)
   return {{"points.parts.allowance", &parts.allowance, 0, 1e6},
           {"points.parts.per_point", &parts.per_point, 0, 1e3},
           {"points.parts.rigid_share", &parts.rigid_share, 0, 1},
+          {"points.parts.free", &parts.free, 0, 1},
+          {"points.parts.seam", &parts.seam, 0, 1e3},
           {"points.parts.polish", &parts.polish, 1, 100},
           {"points.parts.absorb", &parts.absorb, 0, 100},
           {"points.parts.worse", &parts.worse, 0, 100},

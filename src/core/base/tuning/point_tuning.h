@@ -84,14 +84,17 @@ struct PointPartTuning {
                             ///< parts
   double per_point{0.25};   ///< further, per point of the smaller part
   double rigid_share{0.02}; ///< of the points: a body of its own, else motions blend
-  int polish{4};            ///< rounds of fitting the bodies' motions
-  int absorb{5};            ///< rounds of joining what fits a larger body as well
-  double worse{0.12};       ///< spacings that joining may cost
-  double worse_share{0.1};  ///< and a share of the part's own distance
-  int smoothing{2};         ///< rounds over neighbours when borders are drawn
-  double floor{0.1};        ///< spacings: least deviation; planes are no better
-  double reach{2.0};        ///< spacings: scale of matches between parts
-  double limit{3.0};        ///< spacings: farther is no match
+  double free{0.03};  ///< share of what holds a body: held less in a direction, its
+                      ///< seams hold it there
+  double seam{0.1};   ///< weight of an edge of a seam then
+  int polish{4};      ///< rounds of fitting the bodies' motions
+  int absorb{5};      ///< rounds of joining what fits a larger body as well
+  double worse{0.12}; ///< spacings that joining may cost
+  double worse_share{0.1};    ///< and a share of the part's own distance
+  int smoothing{2};           ///< rounds over neighbours when borders are drawn
+  double floor{0.1};          ///< spacings: least deviation; planes are no better
+  double reach{2.0};          ///< spacings: scale of matches between parts
+  double limit{3.0};          ///< spacings: farther is no match
   double normal_length{0.01}; ///< sizes: what a difference of normals of 1 counts as
   double isotropy{0.01};      ///< keeps near what planes leave free
 };
