@@ -28,6 +28,7 @@ SurfaceIsometry::SurfaceIsometry (const Surface& source,
                                   const Surface& target,
                                   const std::vector<PointPair>& pairs,
                                   double size,
+                                  double least_agreement,
                                   const IsometryTuning& tuning,
                                   int threads)
 : source_ (source), tuning_ (tuning), size_ (static_cast<float> (size))
@@ -40,7 +41,7 @@ SurfaceIsometry::SurfaceIsometry (const Surface& source,
   }
   source_rows_ = distancesFrom (source, a, threads);
   target_rows_ = distancesFrom (target, b, threads);
-  keepConsistent (pairs);
+  keepConsistent (pairs, least_agreement);
 }
 
 float
@@ -54,7 +55,8 @@ SurfaceIsometry::agreement (float a, float b) const
 
 /** The pair that agrees least with the others goes, again and again. */
 void
-SurfaceIsometry::keepConsistent (const std::vector<PointPair>& pairs)
+SurfaceIsometry::keepConsistent (const std::vector<PointPair>& pairs,
+                                 double least_agreement)
 {
   const std::size_t n = pairs.size();
   std::vector<std::vector<float>> c (n, std::vector<float> (n, 0.0f));
@@ -74,7 +76,7 @@ SurfaceIsometry::keepConsistent (const std::vector<PointPair>& pairs)
         alive.begin(), alive.end(), [&] (std::size_t i, std::size_t j) {
           return support[i] < support[j];
         });
-    if (support[*worst] >= tuning_.agreement * static_cast<double> (alive.size() - 1))
+    if (support[*worst] >= least_agreement * static_cast<double> (alive.size() - 1))
       break;
     const std::size_t gone = *worst;
     alive.erase (worst);
@@ -92,9 +94,9 @@ SurfaceIsometry::keepConsistent (const std::vector<PointPair>& pairs)
 /** [0, 1] per target point: how well the distances to the anchors agree, the nearer
  * anchors counting more. */
 std::vector<float>
-SurfaceIsometry::scores (int source_point, const std::vector<int>& target_points) const
+SurfaceIsometry::scores (int source_point, const Rows& target_rows) const
 {
-  const int m = static_cast<int> (target_points.size());
+  const int m = static_cast<int> (target_rows[0].size());
   std::vector<float> sum (m, 0.0f);
   float total = 0.0f;
   for (int r = 0; r < anchors(); ++r) {
@@ -103,10 +105,10 @@ SurfaceIsometry::scores (int source_point, const std::vector<int>& target_points
       continue;
     const float weight = 1.0f / (tuning_.near * size_ + d);
     const float scale = 1.0f / (tuning_.slack * size_ + tuning_.stretch * d);
-    const float* row = target_rows_[r].data();
+    const float* row = target_rows[r].data();
     total += weight;
     for (int j = 0; j < m; ++j) {
-      const float x = (d - row[target_points[j]]) * scale;
+      const float x = (d - row[j]) * scale;
       sum[j] += weight / (1.0f + x * x);
     }
   }
@@ -122,10 +124,15 @@ SurfaceIsometry::match (const std::vector<int>& source_points,
 {
   const int n = static_cast<int> (source_points.size());
   const int m = static_cast<int> (target_points.size());
+  if (anchors() == 0)
+    return {};
+  Rows rows (target_rows_.size()); // of these points alone, one after the other
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    for (const int j : target_points)
+      rows[r].push_back (target_rows_[r][j]);
   std::vector<std::vector<float>> all (n);
-  parallelFor (threads, n, 8, [&] (int i) {
-    all[i] = scores (source_points[i], target_points);
-  });
+  parallelFor (
+      threads, n, 8, [&] (int i) { all[i] = scores (source_points[i], rows); });
   std::vector<int> back (m, 0);
   for (int i = 1; i < n; ++i)
     for (int j = 0; j < m; ++j)

@@ -22,11 +22,13 @@ class SurfaceIsometry {
 public:
   /** \param pairs that may be right; kept as anchors are those that keep the distances
    * to most of the others \param size of the source, what a slack is measured by
-   * \param tuning must outlive this */
+   * \param least_agreement of an anchor with the others, mean, at least: more leaves
+   * few anchors, less lets wrong ones in \param tuning must outlive this */
   SurfaceIsometry (const Surface& source,
                    const Surface& target,
                    const std::vector<PointPair>& pairs,
                    double size,
+                   double least_agreement,
                    const IsometryTuning& tuning,
                    int threads);
 
@@ -49,9 +51,9 @@ private:
   float
   agreement (float a, float b) const;
   void
-  keepConsistent (const std::vector<PointPair>& pairs);
+  keepConsistent (const std::vector<PointPair>& pairs, double least_agreement);
   std::vector<float>
-  scores (int source_point, const std::vector<int>& target_points) const;
+  scores (int source_point, const Rows& target_rows) const;
 
   const Surface& source_;
   const IsometryTuning& tuning_;

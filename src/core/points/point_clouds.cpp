@@ -82,26 +82,24 @@ requireFineSteps (double farthest, double size)
 /** \param points scaled */
 WorkingCloud
 makeWorkingCloud (const std::vector<Eigen::Vector3f>& points,
-                  std::vector<int> chosen,
+                  const std::vector<int>& chosen,
                   const char* name,
                   const Tuning& tuning,
                   int threads)
 {
   WorkingCloud cloud;
-  dropDoubles (points, chosen);
-  requireEnough (chosen.size(), name);
+  std::vector<int> thinned;
   for (const int k :
        thinPoints (pick (points, chosen), {}, tuning.points.clouds.most_points))
-    cloud.given.push_back (chosen[k]);
-  const std::vector<char> kept =
-      onSurface (pick (points, cloud.given), tuning.surface, threads);
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < kept.size(); ++i)
-    if (kept[i])
-      cloud.given[n++] = cloud.given[i];
-  cloud.given.resize (n);
-  requireEnough (n, name);
-  cloud.surface = makeSurface (pick (points, cloud.given), tuning.surface, threads);
+    thinned.push_back (chosen[k]);
+  dropDoubles (points, thinned);
+  requireEnough (thinned.size(), name);
+  std::vector<int> kept;
+  cloud.surface =
+      makeCleanSurface (pick (points, thinned), tuning.surface, threads, kept);
+  for (const int k : kept)
+    cloud.given.push_back (thinned[k]);
+  requireEnough (cloud.given.size(), name);
   cloud.samples = thinPoints (
       cloud.surface.points, cloud.surface.normals, tuning.points.clouds.samples);
   cloud.thin = thinSurface (cloud.surface, cloud.samples, tuning.surface, threads);

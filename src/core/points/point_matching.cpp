@@ -23,44 +23,37 @@ featureOf (const Eigen::Vector3f& point, const Eigen::Vector3f& normal, double l
       point.x(), point.y(), point.z(), l * normal.x(), l * normal.y(), l * normal.z()};
 }
 
-PointTree
-featureTree (const std::vector<Eigen::Vector3f>& points,
-             const std::vector<Eigen::Vector3f>& normals,
-             double length)
+} // namespace
+
+void
+FeatureTree::take (const std::vector<Eigen::Vector3f>& points,
+                   const std::vector<Eigen::Vector3f>& normals,
+                   double normal_length)
 {
-  std::vector<float> rows;
-  rows.reserve (6 * points.size());
+  constexpr double kAlike = 2.0; // a tree's division serves lengths this far apart
+  normal_length_ = normal_length;
+  rows_.clear();
+  rows_.reserve (6 * points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Feature f = featureOf (points[i], normals[i], length);
-    rows.insert (rows.end(), f.begin(), f.end());
+    const Feature f = featureOf (points[i], normals[i], normal_length);
+    rows_.insert (rows_.end(), f.begin(), f.end());
   }
-  return PointTree (std::move (rows), 6);
+  if (tree_.size() == static_cast<int> (points.size()) &&
+      normal_length < kAlike * divided_at_ && divided_at_ < kAlike * normal_length) {
+    tree_.move (rows_);
+    return;
+  }
+  tree_ = PointTree (rows_, 6);
+  divided_at_ = normal_length;
 }
 
-/** The moved points, to be found by those of the target. */
-class MovedTree {
-public:
-  MovedTree (const MovedPoints& moved, const Surface& target, double normal_length)
-  : target_ (target)
-  , normal_length_ (normal_length)
-  , tree_ (featureTree (moved.points, moved.normals, normal_length))
-  {}
-
-  /** \return the moved point that is nearest to one of the target, -1 = none */
-  int
-  nearestTo (int j) const
-  {
-    const Feature f = featureOf (target_.points[j], target_.normals[j], normal_length_);
-    return tree_.nearest (f.data()).index;
-  }
-
-private:
-  const Surface& target_;
-  const double normal_length_;
-  const PointTree tree_;
-};
-
-} // namespace
+int
+FeatureTree::nearest (const Eigen::Vector3f& point,
+                      const Eigen::Vector3f& normal,
+                      int hint) const
+{
+  return tree_.nearest (featureOf (point, normal, normal_length_).data(), hint).index;
+}
 
 void
 PointPull::add (const Eigen::Vector3d& q,
@@ -77,21 +70,37 @@ PointPull::add (const Eigen::Vector3d& q,
   weight += share;
 }
 
+/** Ready for searches from the moved points, and from the target's points, too. */
 void
-MatchTarget::prepare (double normal_length)
+MatchTarget::prepare (const MovedPoints& moved, double normal_length, bool both_ways)
 {
-  if (normal_length == normal_length_)
-    return;
-  tree_ = featureTree (surface_.points, surface_.normals, normal_length);
+  if (normal_length != normal_length_)
+    tree_.take (surface_.points, surface_.normals, normal_length);
   normal_length_ = normal_length;
+  if (forward_.size() != moved.points.size())
+    forward_.assign (moved.points.size(), -1);
+  if (!both_ways)
+    return;
+  moved_tree_.take (moved.points, moved.normals, normal_length);
+  backward_.resize (samples_.size(), -1);
 }
 
 /** The target's point that is nearest to a moved one, -1 = none. */
 int
-MatchTarget::nearestTo (const MovedPoints& moved, int i) const
+MatchTarget::forwardMatch (const MovedPoints& moved, int i)
 {
-  const Feature f = featureOf (moved.points[i], moved.normals[i], normal_length_);
-  return tree_.nearest (f.data()).index;
+  forward_[i] = tree_.nearest (moved.points[i], moved.normals[i], forward_[i]);
+  return forward_[i];
+}
+
+/** The moved point that is nearest to one of the target's samples, -1 = none. */
+int
+MatchTarget::backwardMatch (int sample)
+{
+  const int j = samples_[sample];
+  backward_[sample] =
+      moved_tree_.nearest (surface_.points[j], surface_.normals[j], backward_[sample]);
+  return backward_[sample];
 }
 
 /** Geman-McClure's weight on the distance, none for surfaces that face each other. */
@@ -116,16 +125,15 @@ MatchTarget::meanScores (const MovedPoints& moved,
                          int threads,
                          const Score& score)
 {
-  prepare (rules.normal_length);
-  const MovedTree own (moved, surface_, rules.normal_length);
+  prepare (moved, rules.normal_length, true);
   std::vector<double> forward (moved.points.size(), 0.0);
   std::vector<double> backward (samples_.size(), 0.0);
   parallelFor (threads, static_cast<int> (forward.size()), 128, [&] (int i) {
-    if (const int j = nearestTo (moved, i); j >= 0)
+    if (const int j = forwardMatch (moved, i); j >= 0)
       forward[i] = score (i, j, true);
   });
   parallelFor (threads, static_cast<int> (backward.size()), 128, [&] (int s) {
-    if (const int i = own.nearestTo (samples_[s]); i >= 0)
+    if (const int i = backwardMatch (s); i >= 0)
       backward[s] = score (i, samples_[s], false);
   });
   const auto mean = [] (const std::vector<double>& scores) {
@@ -138,10 +146,9 @@ MatchTarget::meanScores (const MovedPoints& moved,
 std::vector<PointPull>
 MatchTarget::pulls (const MovedPoints& moved, const MatchRules& rules, int threads)
 {
-  prepare (rules.normal_length);
+  prepare (moved, rules.normal_length, rules.mutual > 0.0 || rules.backward > 0.0);
   const int n = static_cast<int> (moved.points.size());
   std::vector<PointPull> pulls (n);
-  const MovedTree own (moved, surface_, rules.normal_length);
   const auto pull = [&] (int i, int j, double share) {
     pulls[i].add (surface_.points[j].cast<double>(),
                   surface_.normals[j].cast<double>(),
@@ -149,12 +156,12 @@ MatchTarget::pulls (const MovedPoints& moved, const MatchRules& rules, int threa
                   rules.isotropy);
   };
   parallelFor (threads, n, 128, [&] (int i) {
-    const int j = nearestTo (moved, i);
+    const int j = forwardMatch (moved, i);
     if (j < 0 || (surface_.border[j] && !rules.borders))
       return;
     double share = weight (moved, i, j, rules);
     if (rules.mutual > 0.0 && share > 1e-6) {
-      const int k = own.nearestTo (j);
+      const int k = moved_tree_.nearest (surface_.points[j], surface_.normals[j], i);
       const double way = (moved.points[k] - moved.points[i]).squaredNorm();
       const double s = rules.mutual * rules.mutual;
       share *= s / (s + way) * s / (s + way);
@@ -167,7 +174,7 @@ MatchTarget::pulls (const MovedPoints& moved, const MatchRules& rules, int threa
   std::vector<PointPair> matches (m);
   parallelFor (threads, m, 128, [&] (int s) {
     const int j = samples_[s];
-    if (const int i = own.nearestTo (j); i >= 0)
+    if (const int i = backwardMatch (s); i >= 0)
       matches[s] = {i, j, weight (moved, i, j, rules)};
   });
   const double share = rules.backward * n / std::max (1, m);
@@ -191,11 +198,11 @@ MatchTarget::distances (const MovedPoints& moved,
                         double most,
                         int threads)
 {
-  prepare (rules.normal_length);
+  prepare (moved, rules.normal_length, false);
   const auto limit = static_cast<float> (most);
   std::vector<float> result (moved.points.size(), limit);
   parallelFor (threads, static_cast<int> (result.size()), 128, [&] (int i) {
-    const int j = nearestTo (moved, i);
+    const int j = forwardMatch (moved, i);
     if (j < 0)
       return;
     const Eigen::Vector3f d = moved.points[i] - surface_.points[j];
@@ -220,15 +227,14 @@ MatchTarget::covered (const MovedPoints& moved,
 std::vector<PointPair>
 MatchTarget::tightPairs (const MovedPoints& moved, const MatchRules& rules, int threads)
 {
-  prepare (rules.normal_length);
+  prepare (moved, rules.normal_length, true);
   const int n = static_cast<int> (moved.points.size());
-  const MovedTree own (moved, surface_, rules.normal_length);
   std::vector<PointPair> all (n);
   parallelFor (threads, n, 128, [&] (int i) {
-    const int j = nearestTo (moved, i);
+    const int j = forwardMatch (moved, i);
     if (j < 0 || surface_.border[j])
       return;
-    const int k = own.nearestTo (j);
+    const int k = moved_tree_.nearest (surface_.points[j], surface_.normals[j], i);
     if ((moved.points[k] - moved.points[i]).norm() > rules.distance)
       return;
     const double w = weight (moved, i, j, rules);

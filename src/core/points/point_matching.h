@@ -36,7 +36,29 @@ struct MatchRules {
   bool borders{false};       ///< may a match lie on the target's border?
 };
 
-/** \brief The target's points as seen by matching. */
+/** \brief Points with normals, searched by both. */
+class FeatureTree {
+public:
+  /** \brief Takes points, or the same ones moved. \param normal_length what a
+   * difference of normals of 1 counts as */
+  void
+  take (const std::vector<Eigen::Vector3f>& points,
+        const std::vector<Eigen::Vector3f>& normals,
+        double normal_length);
+
+  /** \brief The nearest one's index. \param hint one that may be near, -1 = none */
+  int
+  nearest (const Eigen::Vector3f& point, const Eigen::Vector3f& normal, int hint) const;
+
+private:
+  PointTree tree_;
+  std::vector<float> rows_;
+  double normal_length_{0.0};
+  double divided_at_{0.0}; ///< length of normals when the tree was built
+};
+
+/** \brief The target's points as seen by matching. It remembers matches: the next
+ * search begins at them. For one thread at a time. */
 class MatchTarget {
 public:
   MatchTarget (const Surface& surface, std::vector<int> samples)
@@ -72,9 +94,11 @@ public:
 
 private:
   void
-  prepare (double normal_length);
+  prepare (const MovedPoints& moved, double normal_length, bool both_ways);
   int
-  nearestTo (const MovedPoints& moved, int i) const;
+  forwardMatch (const MovedPoints& moved, int i);
+  int
+  backwardMatch (int sample);
   double
   weight (const MovedPoints& moved, int i, int j, const MatchRules& rules) const;
   template <typename Score>
@@ -85,9 +109,12 @@ private:
               const Score& score);
 
   const Surface& surface_;
-  std::vector<int> samples_; ///< points that look for matches themselves
-  PointTree tree_;
-  double normal_length_{-1.0};
+  std::vector<int> samples_;   ///< points that look for matches themselves
+  FeatureTree tree_;           ///< of the surface
+  double normal_length_{-1.0}; ///< in that tree
+  FeatureTree moved_tree_;
+  std::vector<int> forward_;  ///< last match per moved point
+  std::vector<int> backward_; ///< and per sample
 };
 
 } // namespace pcl_msf

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace pcl_msf {
 
@@ -55,33 +54,17 @@ addJoints (const PointClouds& clouds,
            double least_share,
            CloudFlow& flow)
 {
-  struct Seam {
-    Eigen::Vector3d sum{Eigen::Vector3d::Zero()};
-    int count{0};
-  };
-  std::map<std::pair<int, int>, Seam> seams;
-  const Surface& surface = clouds.source.surface;
   const auto large = [&] (int p) {
-    return parts.sizes[p] >= least_share * surface.size();
+    return parts.sizes[p] >= least_share * clouds.source.surface.size();
   };
-  for (int i = 0; i < surface.size(); ++i)
-    for (const SurfaceEdge* e = surface.graph.begin (i); e != surface.graph.end (i);
-         ++e) {
-      const int a = parts.part[i];
-      const int b = parts.part[e->to];
-      if (a >= b || !large (a) || !large (b))
-        continue;
-      Seam& seam = seams[{a, b}];
-      seam.sum += 0.5 * (surface.points[i] + surface.points[e->to]).cast<double>();
-      ++seam.count;
-    }
-  for (const auto& [pair, seam] : seams) {
-    CloudJoint joint =
-        jointBetween (flow.parts[pair.first],
-                      flow.parts[pair.second],
-                      clouds.size * seam.sum / seam.count + clouds.center);
-    joint.parent = pair.first;
-    joint.child = pair.second;
+  for (const SurfaceSeam& seam : seamsBetween (clouds.source.surface, parts.part)) {
+    if (!large (seam.first) || !large (seam.second))
+      continue;
+    CloudJoint joint = jointBetween (flow.parts[seam.first],
+                                     flow.parts[seam.second],
+                                     clouds.size * seam.center + clouds.center);
+    joint.parent = seam.first;
+    joint.child = seam.second;
     flow.joints.push_back (joint);
   }
 }

@@ -7,6 +7,7 @@
 #include "core/surface/thinning.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -43,6 +44,47 @@ everySo (int n, int count)
   return chosen;
 }
 
+/** All cuts but the last are only for the samples, and made of them. */
+std::vector<SampleCut>
+cutCoarsely (const WorkingCloud& cloud, const Tuning& tuning)
+{
+  std::vector<SampleCut> cuts;
+  for (std::size_t s = 0; s + 1 < tuning.points.stages.size(); ++s) {
+    SampleCut cut;
+    cut.segments = cutSurface (cloud.thin,
+                               tuning.points.stages[s].segments,
+                               cuts.empty() ? std::vector<int>() : cuts.back().seeds,
+                               tuning.surface);
+    cut.seeds = cut.segments.seeds;
+    cut.label = cut.segments.label;
+    cut.members = cut.segments.members;
+    cuts.push_back (std::move (cut));
+  }
+  return cuts;
+}
+
+/** The last cut is of all points. */
+SampleCut
+cutFinely (const WorkingCloud& cloud,
+           const std::vector<int>& coarse_seeds,
+           const Tuning& tuning)
+{
+  std::vector<int> seeds;
+  for (const int seed : coarse_seeds)
+    seeds.push_back (cloud.samples[seed]);
+  SampleCut cut;
+  cut.segments = cutSurface (
+      cloud.surface, tuning.points.stages.back().segments, seeds, tuning.surface);
+  const PointTree tree (cloud.thin.points);
+  for (const int seed : cut.segments.seeds)
+    cut.seeds.push_back (tree.nearest (cloud.surface.points[seed]).index);
+  for (const int sample : cloud.samples) {
+    cut.label.push_back (cut.segments.label[sample]);
+    cut.members.push_back (cut.segments.members[sample]);
+  }
+  return cut;
+}
+
 } // namespace
 
 PointSolve::PointSolve (const PointClouds& clouds,
@@ -57,13 +99,11 @@ PointSolve::PointSolve (const PointClouds& clouds,
 , coarse_ (clouds.target.thin, allOf (clouds.target.thin))
 , fine_ (clouds.target.surface, clouds.target.samples)
 {
-  for (const PointStage& stage : tuning_.stages)
-    cuts_.push_back (
-        cutSurface (clouds.source.surface,
-                    stage.segments,
-                    cuts_.empty() ? std::vector<int>() : cuts_.back().seeds,
-                    tuning.surface));
-  poses_.assign (cuts_[0].size(), start);
+  cuts_ = cutCoarsely (clouds.source, tuning);
+  cuts_.push_back (cutFinely (clouds.source, cuts_.back().seeds, tuning));
+  samples_.points = clouds.source.thin.points;
+  samples_.normals = clouds.source.thin.normals;
+  poses_.assign (cuts_[0].segments.size(), start);
   enter (0);
 }
 
@@ -76,17 +116,14 @@ PointSolve::enter (int cut)
     poses.push_back (poses_[cuts_[cut_].label[seed]]);
   poses_ = std::move (poses);
   cut_ = cut;
-  samples_ = {};
-  const Surface& surface = clouds_.source.surface;
-  for (const int i : clouds_.source.samples) {
-    samples_.points.push_back (surface.points[i]);
-    samples_.normals.push_back (surface.normals[i]);
-    samples_.members.push_back (segments().members[i]);
-  }
+  samples_.members = cuts_[cut].members;
 }
 
+/** \param pairs of sample and point of the thin target that pull, too, less and less */
 void
-PointSolve::match (const PointStage& stage, MatchTarget& target)
+PointSolve::match (const PointStage& stage,
+                   MatchTarget& target,
+                   const std::vector<PointPair>& pairs)
 {
   PointEnergyWeights weights;
   weights.regularizer = stage.regularizer;
@@ -102,15 +139,16 @@ PointSolve::match (const PointStage& stage, MatchTarget& target)
     rules.mutual = std::max (rules.distance, tuning_.match.least_mutual);
     rules.backward = tuning_.match.backward;
     const MovedPoints moved = movePoints (samples_, poses_, threads_);
-    const double cost =
-        problem.step (target.pulls (moved, rules, threads_), tuning_.match.iterations);
+    std::vector<PointPull> pulls = target.pulls (moved, rules, threads_);
+    addPairs (moved, pairs, tuning_.limbs.to, tuning_.limbs.hold * (1.0 - f), pulls);
+    const double cost = problem.step (pulls, tuning_.match.iterations);
     progress_.note (static_cast<int> (cuts_.size()) - 1 - cut_, cost, "match");
   }
 }
 
 /** From where the clouds lie on each other, by the distances along the surfaces. */
 std::vector<PointPair>
-PointSolve::isometricPairs()
+PointSolve::isometricPairs (double least_agreement)
 {
   const MovedPoints moved = movePoints (samples_, poses_, threads_);
   const std::vector<PointPair> tight =
@@ -124,10 +162,32 @@ PointSolve::isometricPairs()
   for (const int place : spreadPoints (source.points, places, tuning_.limbs.anchors))
     candidates.push_back (tight[place]);
   const SurfaceIsometry isometry (
-      source, target, candidates, 1.0, tuning_.isometry, threads_);
+      source, target, candidates, 1.0, least_agreement, tuning_.isometry, threads_);
   return isometry.match (everySo (source.size(), tuning_.limbs.source_points),
                          everySo (target.size(), tuning_.limbs.target_points),
                          threads_);
+}
+
+/** Adds pulls along pairs, robustly. \param share of all of them together, of a pull
+ * per sample */
+void
+PointSolve::addPairs (const MovedPoints& moved,
+                      const std::vector<PointPair>& pairs,
+                      double scale,
+                      double share,
+                      std::vector<PointPull>& pulls) const
+{
+  if (!(share > 0.0))
+    return;
+  const double each = share * samples_.size() /
+                      static_cast<double> (std::max<std::size_t> (1, pairs.size()));
+  for (const PointPair& pair : pairs) {
+    const Eigen::Vector3f& q = clouds_.target.thin.points[pair.target];
+    const double d2 = (moved.points[pair.source] - q).squaredNorm();
+    const double g = scale * scale / (scale * scale + d2);
+    pulls[pair.source].add (
+        q.cast<double>(), Eigen::Vector3d::Zero(), each * pair.weight * g * g, 1.0);
+  }
 }
 
 /** \param pairs of sample and point of the thin target */
@@ -135,34 +195,17 @@ void
 PointSolve::followPairs (const std::vector<PointPair>& pairs)
 {
   const LimbTuning& limbs = tuning_.limbs;
-  std::vector<PointPair> given = pairs;
-  for (PointPair& pair : given)
-    pair.source = clouds_.source.samples[pair.source];
-  startSegments (clouds_.source.surface,
-                 clouds_.target.thin,
-                 segments(),
-                 given,
-                 limbs.to,
-                 limbs,
-                 poses_);
+  startSegments (samples_, clouds_.target.thin.points, pairs, limbs.to, limbs, poses_);
   PointEnergyWeights weights;
   weights.regularizer = limbs.regularizer;
   weights.unit = segments().radius;
-  weights.data = static_cast<double> (samples_.size()) /
-                 std::max (1, std::min (limbs.source_points, samples_.size()));
   PointProblem problem (samples_, segments(), weights, threads_, poses_);
   for (int i = 0; i < limbs.steps && !progress_.stopped(); ++i) {
     const MovedPoints moved = movePoints (samples_, poses_, threads_);
     const double scale =
         limbs.from * std::pow (limbs.to / limbs.from, i / (limbs.steps - 1.0));
     std::vector<PointPull> pulls (samples_.size());
-    for (const PointPair& pair : pairs) {
-      const Eigen::Vector3f& q = clouds_.target.thin.points[pair.target];
-      const double d2 = (moved.points[pair.source] - q).squaredNorm();
-      const double g = scale * scale / (scale * scale + d2);
-      pulls[pair.source].add (
-          q.cast<double>(), Eigen::Vector3d::Zero(), pair.weight * g * g, 1.0);
-    }
+    addPairs (moved, pairs, scale, 1.0, pulls);
     progress_.note (static_cast<int> (cuts_.size()) - 1 - cut_,
                     problem.step (pulls, tuning_.match.iterations),
                     "limbs");
@@ -177,6 +220,78 @@ PointSolve::explained()
   return source + target;
 }
 
+/** Share of the pairs that lie elsewhere. */
+double
+PointSolve::disputed (const std::vector<PointPair>& pairs) const
+{
+  const MovedPoints moved = movePoints (samples_, poses_, threads_);
+  double all = 0.0;
+  double elsewhere = 0.0;
+  for (const PointPair& pair : pairs) {
+    const Eigen::Vector3f& q = clouds_.target.thin.points[pair.target];
+    all += pair.weight;
+    if ((moved.points[pair.source] - q).norm() > tuning_.limbs.elsewhere)
+      elsewhere += pair.weight;
+  }
+  return all > 0.0 ? elsewhere / all : 0.0;
+}
+
+/** What the pairs are wrong about is found by matches from far. */
+void
+PointSolve::startAnew (const std::vector<PointPair>& pairs)
+{
+  enter (tuning_.limbs.cut);
+  followPairs (pairs);
+  PointStage stage = tuning_.stages[tuning_.limbs.cut];
+  stage.from = std::max (stage.from, tuning_.limbs.match_from);
+  match (stage, coarse_, pairs);
+}
+
+/** Is all of one cloud on the other, where the distances along them say it is? */
+bool
+PointSolve::settled (const std::vector<PointPair>& pairs)
+{
+  if (disputed (pairs) > tuning_.limbs.disputed)
+    return false;
+  const double near = tuning_.result.found * clouds_.target.surface.median_spacing;
+  const auto [source, target] = fine_.covered (movePoints (samples_, poses_, threads_),
+                                               tightRules (tuning_.match),
+                                               std::max (near, tuning_.match.tight),
+                                               threads_);
+  return 1.0 - std::max (source, target) < tuning_.limbs.uncovered;
+}
+
+/** Starts anew from what the distances along the surfaces say, with many anchors or
+ * with the surest alone, as long as one or the other explains more. */
+void
+PointSolve::seekLimbs()
+{
+  const int last = static_cast<int> (cuts_.size()) - 1;
+  const std::array<double, 2> agreements{tuning_.isometry.agreement,
+                                         tuning_.isometry.sure_agreement};
+  std::size_t failures = 0; // one after the other
+  std::size_t which = 0;
+  for (int round = 0; round < tuning_.limbs.rounds && !progress_.stopped(); ++round) {
+    const std::vector<PointPair> pairs = isometricPairs (agreements[which]);
+    if (settled (pairs))
+      break;
+    const std::vector<RigidPose> before = poses_;
+    const double reached = explained();
+    startAnew (pairs);
+    enter (last);
+    match (tuning_.stages[last], fine_);
+    const double now = explained();
+    if (now < reached)
+      poses_ = before;
+    const bool better = now >= (1.0 + tuning_.limbs.gain) * reached;
+    failures = better ? 0 : failures + 1;
+    if (failures >= agreements.size())
+      break;
+    if (!better)
+      which = 1 - which;
+  }
+}
+
 void
 PointSolve::run()
 {
@@ -185,21 +300,9 @@ PointSolve::run()
     enter (c);
     match (tuning_.stages[c], c == last ? fine_ : coarse_);
   }
-  for (int round = 0; round < tuning_.limbs.rounds && !progress_.stopped(); ++round) {
-    const std::vector<RigidPose> before = poses_;
-    const double reached = explained();
-    const std::vector<PointPair> pairs = isometricPairs();
-    enter (tuning_.limbs.cut);
-    followPairs (pairs);
-    match (tuning_.stages[tuning_.limbs.cut], coarse_);
+  seekLimbs();
+  if (cut_ != last) // stopped
     enter (last);
-    match (tuning_.stages[last], fine_);
-    const double now = explained();
-    if (now < reached)
-      poses_ = before;
-    if (now < (1.0 + tuning_.limbs.gain) * reached)
-      break;
-  }
 }
 
 } // namespace pcl_msf

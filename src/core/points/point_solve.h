@@ -11,6 +11,14 @@
 
 namespace pcl_msf {
 
+/** \brief A cut of the source's surface, and how its samples see it. */
+struct SampleCut {
+  SurfaceSegments segments;
+  std::vector<int> seeds;                       ///< per segment, the sample at its seed
+  std::vector<int> label;                       ///< per sample
+  std::vector<std::vector<Membership>> members; ///< per sample
+};
+
 /** \brief Finds a motion per segment of the source, coarse to fine, then again with
  * limbs that moved far started from what their distances along the surface say. */
 class PointSolve {
@@ -26,10 +34,11 @@ public:
   void
   run ();
 
+  /** \brief Of all working points once it has run. */
   const SurfaceSegments&
   segments () const
   {
-    return cuts_[cut_];
+    return cuts_[cut_].segments;
   }
   const std::vector<RigidPose>&
   poses () const
@@ -52,11 +61,27 @@ private:
   void
   enter (int cut);
   void
-  match (const PointStage& stage, MatchTarget& target);
+  match (const PointStage& stage,
+         MatchTarget& target,
+         const std::vector<PointPair>& pairs = {});
   std::vector<PointPair>
-  isometricPairs ();
+  isometricPairs (double least_agreement);
+  void
+  addPairs (const MovedPoints& moved,
+            const std::vector<PointPair>& pairs,
+            double scale,
+            double share,
+            std::vector<PointPull>& pulls) const;
   void
   followPairs (const std::vector<PointPair>& pairs);
+  void
+  startAnew (const std::vector<PointPair>& pairs);
+  double
+  disputed (const std::vector<PointPair>& pairs) const;
+  bool
+  settled (const std::vector<PointPair>& pairs);
+  void
+  seekLimbs ();
   double
   explained ();
 
@@ -64,7 +89,7 @@ private:
   const PointTuning& tuning_;
   int threads_;
   SolveProgress& progress_;
-  std::vector<SurfaceSegments> cuts_; ///< per stage
+  std::vector<SampleCut> cuts_; ///< per stage
   int cut_{0};
   PointSamples samples_;
   std::vector<RigidPose> poses_; ///< per segment of the present cut

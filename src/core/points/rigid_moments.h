@@ -33,6 +33,13 @@ public:
   RigidPose
   solve (const RigidPose& start, Matrix6* information = nullptr) const;
 
+  /** \brief How firmly the pulls hold the points in each direction, target frame. */
+  Eigen::Matrix3d
+  hold () const
+  {
+    return h_.bottomRightCorner<3, 3>();
+  }
+
   /** \brief Weight of the points. */
   double
   weight () const

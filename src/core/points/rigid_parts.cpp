@@ -3,6 +3,7 @@
 #include "core/points/rigid_parts.h"
 
 #include "core/base/parallel_for.h"
+#include "core/points/part_seams.h"
 #include "core/points/residual_scale.h"
 
 #include <algorithm>
@@ -195,6 +196,7 @@ private:
     moments_.assign (part_poses_.size(), {});
     for (int i = 0; i < source_.size(); ++i)
       moments_[part_[i]].add (source_.points[i].cast<double>(), pulls[i], 1.0);
+    holdSeams (seamsBetween (source_, part_), part_poses_, rigid_, tuning_, moments_);
     for (std::size_t p = 0; p < part_poses_.size(); ++p)
       if (rigid_[p])
         part_poses_[p] = moments_[p].solve (part_poses_[p]);
@@ -207,15 +209,14 @@ private:
   touchingParts (const std::vector<int>& sizes) const
   {
     std::set<std::pair<int, int>> pairs;
-    for (int i = 0; i < source_.size(); ++i)
-      for (const SurfaceEdge* e = source_.graph.begin (i); e != source_.graph.end (i);
-           ++e) {
-        const int a = part_[i];
-        const int b = part_[e->to];
-        if (a != b && rigid_[b] &&
-            std::make_pair (sizes[a], a) < std::make_pair (sizes[b], b))
-          pairs.insert ({a, b});
-      }
+    for (const SurfaceSeam& seam : seamsBetween (source_, part_)) {
+      int a = seam.first;
+      int b = seam.second;
+      if (std::make_pair (sizes[b], b) < std::make_pair (sizes[a], a))
+        std::swap (a, b);
+      if (rigid_[b])
+        pairs.insert ({a, b});
+    }
     return pairs;
   }
   /** Mean distance of points from the target, where they are or with another part. */

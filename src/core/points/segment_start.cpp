@@ -55,19 +55,18 @@ fitPairs (const Eigen::Matrix3Xd& from,
 }
 
 void
-startSegments (const Surface& source,
-               const Surface& target,
-               const SurfaceSegments& segments,
+startSegments (const PointSamples& samples,
+               const std::vector<Eigen::Vector3f>& target,
                const std::vector<PointPair>& pairs,
                double scale,
                const LimbTuning& tuning,
                std::vector<RigidPose>& poses)
 {
-  std::vector<std::vector<const PointPair*>> of (segments.size());
+  std::vector<std::vector<const PointPair*>> of (poses.size());
   for (const PointPair& pair : pairs)
-    for (const Membership& m : segments.members[pair.source])
+    for (const Membership& m : samples.members[pair.source])
       of[m.segment].push_back (&pair);
-  for (int k = 0; k < segments.size(); ++k) {
+  for (std::size_t k = 0; k < poses.size(); ++k) {
     if (static_cast<int> (of[k].size()) < tuning.fit_pairs)
       continue;
     const auto n = static_cast<Eigen::Index> (of[k].size());
@@ -75,8 +74,8 @@ startSegments (const Surface& source,
     Eigen::Matrix3Xd to (3, n);
     std::vector<double> weights;
     for (Eigen::Index i = 0; i < n; ++i) {
-      from.col (i) = source.points[of[k][i]->source].cast<double>();
-      to.col (i) = target.points[of[k][i]->target].cast<double>();
+      from.col (i) = samples.points[of[k][i]->source].cast<double>();
+      to.col (i) = target[of[k][i]->target].cast<double>();
       weights.push_back (of[k][i]->weight + 1e-6);
     }
     poses[k] = fitPairs (from, to, weights, scale, tuning);

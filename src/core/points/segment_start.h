@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/base/tuning/point_tuning.h"
+#include "core/points/deformation.h"
 #include "core/points/isometry.h"
-#include "core/surface/surface_segments.h"
 #include <pcl_msf/rigid_pose.h>
 
 #include <vector>
@@ -21,11 +21,11 @@ fitPairs (const Eigen::Matrix3Xd& from,
           const LimbTuning& tuning);
 
 /** \brief Every segment's motion by the pairs that it and its overlap hold; segments
- * with hardly any keep theirs. */
+ * with hardly any keep theirs.
+ * \param pairs of a sample and a point of the target \param poses per segment */
 void
-startSegments (const Surface& source,
-               const Surface& target,
-               const SurfaceSegments& segments,
+startSegments (const PointSamples& samples,
+               const std::vector<Eigen::Vector3f>& target,
                const std::vector<PointPair>& pairs,
                double scale,
                const LimbTuning& tuning,

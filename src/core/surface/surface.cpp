@@ -135,10 +135,36 @@ spaceOut (Surface& surface, const SurfaceTuning& tuning, int threads)
 {
   Neighbors neighbors = findNeighbors (
       surface.points, PointTree (surface.points), tuning.neighbors, threads);
+  surface.spacing.clear();
   for (const auto& found : neighbors)
     surface.spacing.push_back (spacingOf (found, tuning.near));
   surface.median_spacing = medianOf (surface.spacing);
   return neighbors;
+}
+
+/** Indices of the points that lie on a surface. */
+std::vector<int>
+onSurface (const Surface& surface,
+           const Neighbors& neighbors,
+           const SurfaceTuning& tuning,
+           int threads)
+{
+  const double median = surface.median_spacing;
+  std::vector<char> on (surface.size(), 1);
+  parallelFor (threads, surface.size(), 256, [&] (int i) {
+    const float spacing = surface.spacing[i];
+    if (spacing > tuning.dust_far * median)
+      on[i] = 0;
+    else if (spacing > tuning.dust_loose * median) {
+      const PlaneFit plane = fitNeighbors (surface.points, i, neighbors[i]);
+      on[i] = std::max (plane.offset, plane.roughness) < tuning.dust_flat * spacing;
+    }
+  });
+  std::vector<int> kept;
+  for (int i = 0; i < surface.size(); ++i)
+    if (on[i])
+      kept.push_back (i);
+  return kept;
 }
 
 /** Finds graph and borders. */
@@ -158,6 +184,17 @@ connect (Surface& surface,
   });
 }
 
+/** Finds normals, graph and borders. */
+void
+finish (Surface& surface,
+        const Neighbors& neighbors,
+        const SurfaceTuning& tuning,
+        int threads)
+{
+  surface.normals = surfaceNormals (surface.points, neighbors, tuning, threads);
+  connect (surface, neighbors, tuning, threads);
+}
+
 } // namespace
 
 Surface
@@ -168,8 +205,27 @@ makeSurface (std::vector<Eigen::Vector3f> points,
   Surface surface;
   surface.points = std::move (points);
   const Neighbors neighbors = spaceOut (surface, tuning, threads);
-  surface.normals = surfaceNormals (surface.points, neighbors, tuning, threads);
-  connect (surface, neighbors, tuning, threads);
+  finish (surface, neighbors, tuning, threads);
+  return surface;
+}
+
+Surface
+makeCleanSurface (std::vector<Eigen::Vector3f> points,
+                  const SurfaceTuning& tuning,
+                  int threads,
+                  std::vector<int>& kept)
+{
+  Surface surface;
+  surface.points = std::move (points);
+  Neighbors neighbors = spaceOut (surface, tuning, threads);
+  kept = onSurface (surface, neighbors, tuning, threads);
+  if (static_cast<int> (kept.size()) < surface.size()) {
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      surface.points[i] = surface.points[kept[i]];
+    surface.points.resize (kept.size());
+    neighbors = spaceOut (surface, tuning, threads);
+  }
+  finish (surface, neighbors, tuning, threads);
   return surface;
 }
 
@@ -187,30 +243,6 @@ thinSurface (const Surface& surface,
   const Neighbors neighbors = spaceOut (thin, tuning, threads);
   connect (thin, neighbors, tuning, threads);
   return thin;
-}
-
-std::vector<char>
-onSurface (const std::vector<Eigen::Vector3f>& points,
-           const SurfaceTuning& tuning,
-           int threads)
-{
-  const PointTree tree (points);
-  const Neighbors neighbors = findNeighbors (points, tree, tuning.neighbors, threads);
-  std::vector<float> spacing;
-  for (const auto& found : neighbors)
-    spacing.push_back (spacingOf (found, tuning.near));
-  const float median = medianOf (spacing);
-  std::vector<char> kept (points.size(), 1);
-  parallelFor (threads, static_cast<int> (points.size()), 256, [&] (int i) {
-    if (spacing[i] > tuning.dust_far * median)
-      kept[i] = 0;
-    else if (spacing[i] > tuning.dust_loose * median) {
-      const PlaneFit plane = fitNeighbors (points, i, neighbors[i]);
-      kept[i] =
-          std::max (plane.offset, plane.roughness) < tuning.dust_flat * spacing[i];
-    }
-  });
-  return kept;
 }
 
 } // namespace pcl_msf

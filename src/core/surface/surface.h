@@ -38,11 +38,13 @@ thinSurface (const Surface& surface,
              const SurfaceTuning& tuning,
              int threads);
 
-/** \brief Per point: does it lie on a surface? Not when it is far from all others or
- * its few neighbours lie around it like dust. */
-std::vector<char>
-onSurface (const std::vector<Eigen::Vector3f>& points,
-           const SurfaceTuning& tuning,
-           int threads);
+/** \brief The surface of those points that lie on one: not of one that is far from all
+ * others or whose few neighbours lie around it like dust.
+ * \param[out] kept their indices, ascending */
+Surface
+makeCleanSurface (std::vector<Eigen::Vector3f> points,
+                  const SurfaceTuning& tuning,
+                  int threads,
+                  std::vector<int>& kept);
 
 } // namespace pcl_msf

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <queue>
 #include <tuple>
 
@@ -51,7 +52,15 @@ doubt (const Points& points, const Points& normals, int a, int b)
 std::vector<std::vector<int>>
 bothWays (const Neighbors& neighbors)
 {
+  std::vector<int> sizes;
+  for (const auto& found : neighbors)
+    sizes.push_back (static_cast<int> (found.size()));
+  for (const auto& found : neighbors)
+    for (const FoundPoint& f : found)
+      ++sizes[f.index];
   std::vector<std::vector<int>> lists (neighbors.size());
+  for (std::size_t i = 0; i < lists.size(); ++i)
+    lists[i].reserve (sizes[i]);
   for (std::size_t i = 0; i < neighbors.size(); ++i)
     for (const FoundPoint& f : neighbors[i]) {
       lists[i].push_back (f.index);
@@ -69,7 +78,8 @@ leapsOff (const Points& points, const Points& normals, int a, int b, float steep
          std::abs (edge.dot (normals[b])) > steep;
 }
 
-/** Turns a piece's normals to one side, going from the surest neighbour to the next. */
+/** Turns a piece's normals to one side, going from the surest neighbour to the next.
+ * \param surest per point the least doubt of a step to it so far, and from where */
 void
 turnPiece (int first,
            const Points& points,
@@ -77,6 +87,7 @@ turnPiece (int first,
            float steep,
            Points& normals,
            std::vector<char>& done,
+           std::vector<std::pair<float, int>>& surest,
            std::vector<int>& piece)
 {
   using Step = std::tuple<float, int, int>; // doubt, to, from
@@ -91,9 +102,15 @@ turnPiece (int first,
     piece.push_back (to);
     if (normals[to].dot (normals[from]) < 0.0f)
       normals[to] = -normals[to];
-    for (const int next : lists[to])
-      if (!done[next] && !leapsOff (points, normals, to, next, steep))
-        queue.push ({doubt (points, normals, to, next), next, to});
+    for (const int next : lists[to]) {
+      if (done[next] || leapsOff (points, normals, to, next, steep))
+        continue;
+      const std::pair<float, int> step (doubt (points, normals, to, next), to);
+      if (step < surest[next]) { // others would come too late
+        surest[next] = step;
+        queue.push ({step.first, next, to});
+      }
+    }
   }
 }
 
@@ -137,12 +154,20 @@ surfaceNormals (const Points& points,
   });
   const std::vector<std::vector<int>> lists = bothWays (neighbors);
   std::vector<char> done (points.size(), 0);
+  std::vector<std::pair<float, int>> surest (
+      points.size(), {std::numeric_limits<float>::infinity(), 0});
   std::vector<int> piece;
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!done[i]) {
       piece.clear();
-      turnPiece (
-          static_cast<int> (i), points, lists, tuning.leap, normals, done, piece);
+      turnPiece (static_cast<int> (i),
+                 points,
+                 lists,
+                 tuning.leap,
+                 normals,
+                 done,
+                 surest,
+                 piece);
       turnOutwards (points, neighbors, piece, normals);
     }
   return normals;

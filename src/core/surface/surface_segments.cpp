@@ -53,26 +53,9 @@ makeLink (const SurfaceSegments& segments, int a, int b, const Eigen::Vector3d& 
 void
 linkTouching (const Surface& surface, SurfaceSegments& segments)
 {
-  struct Seam {
-    Eigen::Vector3d sum{Eigen::Vector3d::Zero()};
-    int count{0};
-  };
-  std::map<std::pair<int, int>, Seam> seams;
-  for (int i = 0; i < surface.size(); ++i)
-    for (const SurfaceEdge* e = surface.graph.begin (i); e != surface.graph.end (i);
-         ++e) {
-      const int a = segments.label[i];
-      const int b = segments.label[e->to];
-      if (a >= b)
-        continue;
-      Seam& seam = seams[{a, b}];
-      seam.sum += 0.5 * (surface.points[i] + surface.points[e->to]).cast<double>();
-      ++seam.count;
-    }
-  for (const auto& [pair, seam] : seams) {
-    const auto& [a, b] = pair;
-    segments.links.push_back (makeLink (segments, a, b, seam.sum / seam.count));
-  }
+  for (const SurfaceSeam& seam : seamsBetween (surface, segments.label))
+    segments.links.push_back (
+        makeLink (segments, seam.first, seam.second, seam.center));
 }
 
 /** Every piece of the surface hangs on to the nearest segment of a larger one. */
@@ -148,6 +131,31 @@ overlap (const Surface& surface, const SurfaceTuning& tuning, SurfaceSegments& s
 }
 
 } // namespace
+
+std::vector<SurfaceSeam>
+seamsBetween (const Surface& surface, const std::vector<int>& label)
+{
+  std::map<std::pair<int, int>, SurfaceSeam> seams;
+  for (int i = 0; i < surface.size(); ++i)
+    for (const SurfaceEdge* e = surface.graph.begin (i); e != surface.graph.end (i);
+         ++e) {
+      const int a = label[i];
+      const int b = label[e->to];
+      if (a >= b)
+        continue;
+      SurfaceSeam& seam = seams[{a, b}];
+      seam.first = a;
+      seam.second = b;
+      seam.center += 0.5 * (surface.points[i] + surface.points[e->to]).cast<double>();
+      ++seam.edges;
+    }
+  std::vector<SurfaceSeam> result;
+  for (auto& [labels, seam] : seams) {
+    seam.center /= seam.edges;
+    result.push_back (seam);
+  }
+  return result;
+}
 
 SurfaceSegments
 cutSurface (const Surface& surface,

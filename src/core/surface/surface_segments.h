@@ -31,6 +31,18 @@ struct SurfaceSegments {
   }
 };
 
+/** \brief Where two regions of a surface touch. */
+struct SurfaceSeam {
+  int first{0}; ///< label, less than the second
+  int second{0};
+  Eigen::Vector3d center{Eigen::Vector3d::Zero()};
+  int edges{0}; ///< of the graph that cross it
+};
+
+/** \brief The seams between regions, by their labels. \param label per point */
+std::vector<SurfaceSeam>
+seamsBetween (const Surface& surface, const std::vector<int>& label);
+
 /** \brief Seeds far from each other along the surface, every point with its nearest.
  * \param seeds of a coarser cut to keep, may be empty */
 SurfaceSegments

@@ -68,7 +68,7 @@ TEST (CloudFlowEstimator, FindsPartsAndJointsOfAChain)
     const int k = joint.point.x() < 1.5 * chain.size.x() ? 1 : 2;
     EXPECT_NEAR (joint.angle, chain.angle, 0.01);
     EXPECT_GT (std::abs (joint.axis.dot (BoxChain::axis (k))), std::cos (0.03));
-    EXPECT_LT ((joint.point - chain.seam (k)).cross (joint.axis).norm(), 6e-3);
+    EXPECT_LT ((joint.point - chain.seam (k)).cross (joint.axis).norm(), 4e-3);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/points/cloud_joints.h"
 #include "core/points/part_merging.h"
+#include "core/points/part_seams.h"
 #include "core/points/point_matching.h"
 #include "core/points/rigid_moments.h"
 #include "core/points/seam_cost.h"
@@ -135,6 +136,38 @@ TEST (PartMerging, JoinsWhatMovesAsOneAndNoMore)
   const MergedParts parts = mergeParts (moments, poses, links, 1e-6, {});
   EXPECT_EQ (parts.part_of, (std::vector<int>{0, 0, 1, 1}));
   EXPECT_EQ (mergeParts (moments, poses, links, 1.0, {}).poses.size(), 1u);
+}
+
+TEST (PartSeams, HoldABodyAlongTheDirectionThatItsSidesLeaveFree)
+{
+  // The sides of a square tube along x: they see its shift across, not along.
+  RigidMoments tube;
+  for (int i = 0; i < 80; ++i) {
+    const Eigen::Vector3d n =
+        (i % 2 ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ()) *
+        (i % 4 < 2 ? 1 : -1);
+    const Eigen::Vector3d p = 0.1 * n + Eigen::Vector3d (0.01 * i, 0.0, 0.0);
+    PointPull pull;
+    pull.add (p + Eigen::Vector3d (0.0, 0.002, 0.0), n, 1.0, 0.0);
+    tube.add (p, pull, 1.0);
+  }
+  RigidPose other; // of a body that moved along and, torn at the seam, far across
+  other.parameters = {0.0, 0.0, 0.0, 0.03, 0.5, 0.0};
+  const RigidMoments end = momentsOf (other, 0.3);
+  SurfaceSeam seam;
+  seam.second = 1;
+  seam.center = Eigen::Vector3d (0.8, 0.0, 0.0);
+  seam.edges = 50;
+  std::vector<RigidMoments> moments{tube, end};
+  holdSeams ({seam}, {RigidPose(), other}, {1, 1}, {}, moments);
+  const RigidPose held = moments[0].solve (RigidPose());
+  EXPECT_NEAR (held.parameters[3], 0.03, 1e-6);
+  EXPECT_NEAR (held.parameters[4], 0.002, 1e-6);
+  EXPECT_NEAR (tube.solve (RigidPose()).parameters[3], 0.0, 1e-6);
+  EXPECT_EQ (moments[1].cost (RigidPose()), end.cost (RigidPose())); // is not free
+  moments[0] = tube;
+  holdSeams ({seam}, {RigidPose(), other}, {1, 0}, {}, moments); // nor is it rigid
+  EXPECT_EQ (moments[0].cost (other), tube.cost (other));
 }
 
 TEST (SegmentStart, PairsThatAreWrongDoNotTurnIt)

@@ -32,7 +32,7 @@ struct PointMatchTuning {
   double tight{0.01};        ///< sizes: distance of pairs that are surely right
   double tight_normal{0.02}; ///< sizes: length of normals for these
   double tight_weight{0.4};  ///< least robust weight of such a pair
-  int iterations{2};         ///< of the solver between two searches for matches
+  int iterations{1};         ///< of the solver between two searches for matches
 };
 
 /** \brief How much bending may change distances along the surface. */
@@ -41,9 +41,10 @@ struct IsometryTuning {
   float slack{0.015f};    ///< sizes, besides: what sampling does
   double agreement{0.55}; ///< of an anchor with the others, mean, at least: more leaves
                           ///< few anchors, less lets wrong ones in
-  float score{0.5f};      ///< of a match, at least: likewise
-  float way_back{0.04f};  ///< sizes: scale of the way there and back
-  float near{0.1f};       ///< sizes: nearer anchors all count alike
+  double sure_agreement{0.72}; ///< when that has led to nothing
+  float score{0.5f};           ///< of a match, at least: likewise
+  float way_back{0.04f};       ///< sizes: scale of the way there and back
+  float near{0.1f};            ///< sizes: nearer anchors all count alike
 };
 
 /** \brief A resolution of the solve. Lengths in sizes. */
@@ -57,13 +58,19 @@ struct PointStage {
 
 /** \brief Limbs that moved far, started anew from distances along the surface. */
 struct LimbTuning {
-  int rounds{4};           ///< of starting anew, at the most
+  int rounds{5};           ///< of starting anew, at the most
   double gain{2e-3};       ///< of what is explained, for one more round
   int cut{2};              ///< the stage whose segments are started
   int steps{15};           ///< along the pairs
   double regularizer{0.2}; ///< gamma meanwhile
   double from{0.2};        ///< sizes: scale of the pairs' robust weight, at first
   double to{0.03};         ///< and last
+  double match_from{0.15}; ///< sizes: scale of the matches that follow, at first: less
+                           ///< keeps what the pairs are wrong about
+  double hold{0.3};        ///< share of the pairs in these matches, at first
+  double elsewhere{0.06};  ///< sizes: a pair this far apart disputes the motion
+  double disputed{0.003};  ///< share of the pairs that may do so without a fresh start
+  double uncovered{0.01};  ///< share of both clouds off the other that may be likewise
   int anchors{80};         ///< pairs that may be; more is slower
   int source_points{1000}; ///< points that are matched by isometry
   int target_points{2000}; ///< and those they are matched with
@@ -77,14 +84,17 @@ struct PointPartTuning {
                             ///< parts
   double per_point{0.25};   ///< further, per point of the smaller part
   double rigid_share{0.02}; ///< of the points: a body of its own, else motions blend
-  int polish{4};            ///< rounds of fitting the bodies' motions
-  int absorb{5};            ///< rounds of joining what fits a larger body as well
-  double worse{0.12};       ///< spacings that joining may cost
-  double worse_share{0.1};  ///< and a share of the part's own distance
-  int smoothing{2};         ///< rounds over neighbours when borders are drawn
-  double floor{0.1};        ///< spacings: least deviation; planes are no better
-  double reach{2.0};        ///< spacings: scale of matches between parts
-  double limit{3.0};        ///< spacings: farther is no match
+  double free{0.03};  ///< share of what holds a body: held less in a direction, its
+                      ///< seams hold it there
+  double seam{0.1};   ///< weight of an edge of a seam then
+  int polish{4};      ///< rounds of fitting the bodies' motions
+  int absorb{5};      ///< rounds of joining what fits a larger body as well
+  double worse{0.12}; ///< spacings that joining may cost
+  double worse_share{0.1};    ///< and a share of the part's own distance
+  int smoothing{2};           ///< rounds over neighbours when borders are drawn
+  double floor{0.1};          ///< spacings: least deviation; planes are no better
+  double reach{2.0};          ///< spacings: scale of matches between parts
+  double limit{3.0};          ///< spacings: farther is no match
   double normal_length{0.01}; ///< sizes: what a difference of normals of 1 counts as
   double isotropy{0.01};      ///< keeps near what planes leave free
 };
