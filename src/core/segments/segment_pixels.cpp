@@ -198,15 +198,15 @@ scalePoints (const PointScales& scales, int begin, int end, SegmentPixels& out)
 Eigen::Matrix3d
 spreadOf (const SegmentPixels& points, int segment)
 {
-  const Eigen::Vector3f center = points.centroid[segment].cast<float>();
+  const Eigen::Vector3d center = points.centroid[segment];
   const int begin = points.begin[segment];
   const int end = points.begin[segment + 1];
-  float xx = 0.0f, xy = 0.0f, xz = 0.0f, yy = 0.0f, yz = 0.0f, zz = 0.0f;
+  double xx = 0.0, xy = 0.0, xz = 0.0, yy = 0.0, yz = 0.0, zz = 0.0;
 #pragma omp simd reduction(+ : xx, xy, xz, yy, yz, zz)
   for (int i = begin; i < end; ++i) {
-    const float x = points.x[i] - center.x();
-    const float y = points.y[i] - center.y();
-    const float z = points.z[i] - center.z();
+    const double x = points.x[i] - center.x();
+    const double y = points.y[i] - center.y();
+    const double z = points.z[i] - center.z();
     xx += x * x;
     xy += x * y;
     xz += x * z;

@@ -39,6 +39,7 @@ public:
     const std::vector<Eigen::Vector3f> points{
         {0.0f, 0.0f, 1.0f}, {0.4f, -0.3f, 1.7f}, {-0.5f, 0.2f, 3.0f}};
     pixels_.begin = {0, 3};
+    pixels_.centroid = {{0.0, 0.0, 2.0}};
     scene_.labels = cv::Mat (1, 3, CV_32SC1, cv::Scalar (0));
     scene_.displacement.create (1, 3, CV_32FC3);
     scene_.flow = cv::Mat (1, 3, CV_32FC2, cv::Scalar (1, 2));
