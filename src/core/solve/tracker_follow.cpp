@@ -86,8 +86,11 @@ FollowedMotion
 SceneFlowTracker::predictAnew (const Oversegmentation& segments) const
 {
   const Following& last = *following_;
+  cv::Mat labels = segments.labels();
+  if (labels.size() != last.labels.size())
+    labels = halveLabels (labels);
   const std::vector<int> former =
-      mostFrequent (segments.labels(),
+      mostFrequent (labels,
                     segments.size(),
                     last.labels,
                     static_cast<int> (last.state.body_of.size()));
@@ -132,7 +135,8 @@ SceneFlowTracker::follow (Window window)
   now->links = solve.scene().links;
   now->areas = solve.scene().noise.areas;
   now->costs = solve.fit();
-  now->labels = solve.labelsIn (1);
+  const int half = std::min<int> (1, static_cast<int> (frames[1].levels().size()) - 1);
+  now->labels = solve.labelsIn (1, half);
   if (!anew && following_)
     for (std::size_t k = 0; k < following_->state.body_of.size(); ++k)
       now->before.push_back (following_->state.poses[0][following_->state.body_of[k]]);
@@ -147,7 +151,7 @@ SceneFlowTracker::follow (Window window)
   const bool known = report.converged;
   const bool covered_lens = report.stop_reason == StopReason::NothingDetermined;
   const double covered =
-      labelledShare (now->labels, frames.back().levels()[0].inverse_depth);
+      labelledShare (now->labels, frames[1].levels()[half].inverse_depth);
   adopt (std::move (window), std::move (result));
   explained_ = (explained_ && known && covered >= tracker_.least_explained) ||
                (covered_lens && !anew);

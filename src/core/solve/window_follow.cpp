@@ -58,6 +58,7 @@ WindowSolve::followSchedule() const
     rounds.back().anew = level < coarsest; // startFollowing () entered that one
     rounds.back().rescale_noise = true;
     rounds.back().merge = level > 0 || coarsest == 0;
+    rounds.back().keep_worth = true;
   }
   rounds.back().last = true;
   return rounds;

@@ -285,7 +285,8 @@ WindowSolve::round (const Round& round)
   if (round.merge && user_.merge_bodies) {
     merge();
     reassign();
-    measureCorrelation (round.level);
+    if (!round.keep_worth)
+      measureCorrelation (round.level);
   }
   if (isPair() &&
       round.level == std::min (scene_.tuning.solve.start_level, levels_ - 1))

@@ -67,9 +67,9 @@ public:
   void
   solve (const RigidPose& guess, int finest_level);
 
-  /** \brief Labels of a frame, carried there by the present poses. */
+  /** \brief Labels of a frame at a level, carried there by the present poses. */
   cv::Mat
-  labelsIn (int frame) const;
+  labelsIn (int frame, int level = 0) const;
 
   const WindowState&
   state () const
@@ -102,8 +102,10 @@ private:
     bool measure{false}; ///< what residuals are worth, after the solve
     bool presort{false}; ///< bodies merge before the solve, too
     bool rescale_noise{false}; ///< of rigid bodies, by their own residuals
-    bool merge{false}; ///< after the solve, and segments choose among the bodies
-    bool last{false};  ///< hidden segments follow, and bodies merge once more
+    bool merge{false};      ///< after the solve, and segments choose among the bodies
+    bool keep_worth{false}; ///< residuals are worth what they were; else they are
+                            ///< measured after merging
+    bool last{false};       ///< hidden segments follow, and bodies merge once more
   };
 
   SolverParameters

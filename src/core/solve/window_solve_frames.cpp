@@ -12,12 +12,15 @@
 namespace pcl_msf {
 
 cv::Mat
-WindowSolve::labelsIn (int frame) const
+WindowSolve::labelsIn (int frame, int level) const
 {
-  return pcl_msf::carryLabels (frames_[pairs_.reference()].levels()[0],
-                               segments_.labels(),
+  cv::Mat labels = segments_.labels();
+  for (int i = 0; i < level; ++i)
+    labels = halveLabels (labels);
+  return pcl_msf::carryLabels (frames_[pairs_.reference()].levels()[level],
+                               labels,
                                state_.ofPair (pairs_.fromReference (frame)),
-                               frames_[frame].levels()[0],
+                               frames_[frame].levels()[level],
                                scene_.noise,
                                scene_.tuning.window.carrier);
 }

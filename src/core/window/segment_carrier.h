@@ -18,7 +18,7 @@ namespace pcl_msf {
  * A pixel bears a segment's label when the segment's nearest point there lies on the
  * frame's own surface, within the noise; gaps of a pixel or two on one surface, as
  * expansion leaves them, are closed. Pixels that the reference does not show bear -1.
- * \param reference, frame level 0
+ * \param reference, frame of one level
  * \param labels of the reference, CV_32SC1
  * \param motion poses to the frame
  * \return CV_32SC1 of the frame's size */
