@@ -26,6 +26,7 @@ public:
   round (int threads);
 
 private:
+  /** The bodies that every segment tries. */
   std::vector<int>
   largestBodies () const;
   DataTerm::Probe
@@ -82,13 +83,20 @@ std::vector<int>
 Assignment::largestBodies() const
 {
   std::vector<int> points (state_.bodies(), 0);
-  for (int k = 0; k < segments_; ++k)
+  std::vector<int> segments (state_.bodies(), 0);
+  for (int k = 0; k < segments_; ++k) {
     points[state_.body_of[k]] += pairs_.front().sample->pixels().size (k);
+    ++segments[state_.body_of[k]];
+  }
   std::vector<int> order (points.size());
   std::iota (order.begin(), order.end(), 0);
   std::stable_sort (
       order.begin(), order.end(), [&] (int a, int b) { return points[a] > points[b]; });
   order.resize (std::min<std::size_t> (order.size(), tuning_.largest));
+  const auto small = [&] (int body) {
+    return segments[body] < tuning_.least_share * segments_;
+  };
+  order.erase (std::remove_if (order.begin() + 1, order.end(), small), order.end());
   return order;
 }
 

@@ -82,6 +82,27 @@ TEST_F (BodyAssignment, SegmentWithAMotionOfItsOwnKeepsIt)
   EXPECT_EQ (state.poseOf (20).parameters, scene_.solved().poses[1].parameters);
 }
 
+TEST_F (BodyAssignment, ABodyOfFewSegmentsIsTriedByItsNeighboursAlone)
+{
+  // Half of the wall waits for a motion that one of its segments has.
+  WindowState one (scene_.solved());
+  for (std::size_t k = 0; k < one.body_of.size(); ++k)
+    one.body_of[k] = k == 20 ? 1 : 0;
+  AssignmentTuning tuning;
+  tuning.separation = kSeparation;
+  tuning.prior = 0.0;
+  tuning.rounds = 1;
+  int found[2];
+  for (const int least : {1, 5}) {
+    WindowState state = one;
+    tuning.least_share = least / 48.0;
+    found[least / 5] =
+        reassignBodies (scene_.terms (data_), scene_.links(), tuning, 1, state);
+  }
+  EXPECT_GT (found[1], 0);
+  EXPECT_GE (found[0], 2 * found[1]);
+}
+
 TEST_F (BodyAssignment, SameForAnyNumberOfThreads)
 {
   std::vector<int> first;

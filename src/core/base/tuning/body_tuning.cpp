@@ -21,6 +21,7 @@ listValues (BodyTuning& tuning, TunedValues& values)
       {"bodies.assignment.most_prior", &assignment.most_prior, 0, 100},
       {"bodies.assignment.rounds", &assignment.rounds, 0, 100},
       {"bodies.assignment.largest", &assignment.largest, 1, 1000},
+      {"bodies.assignment.least_share", &assignment.least_share, 0, 1},
       {"bodies.assignment.mostly_hidden", &assignment.mostly_hidden, 0, 1},
       {"bodies.assignment.border_share", &assignment.border_share, 0, 0.99},
       {"bodies.assignment.landings.cell", &landings.cell, 1, 100},

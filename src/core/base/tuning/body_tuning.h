@@ -39,9 +39,11 @@ struct AssignmentTuning {
   double flow_worth{0.3}; ///< residuals that optical flow of a segment is worth:
                           ///< little, as it errs over whole regions
   int rounds{3};
-  int largest{6};            ///< bodies that every segment tries
-  double mostly_hidden{0.5}; ///< share of residuals: such a neighbour is no support
-  double border_share{0.5};  ///< of points that may land on a neighbour's place
+  int largest{6};             ///< bodies that every segment tries ...
+  double least_share{0.0125}; ///< ... of so many of the segments: a single one fits
+                              ///< other places by chance
+  double mostly_hidden{0.5};  ///< share of residuals: such a neighbour is no support
+  double border_share{0.5};   ///< of points that may land on a neighbour's place
   LandingTuning landings;
 };
 
