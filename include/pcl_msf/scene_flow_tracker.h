@@ -16,6 +16,7 @@
 namespace pcl_msf {
 
 struct FollowedMotion;
+class WindowSolve;
 
 /** \brief How a SceneFlowTracker goes from frame to frame. */
 struct PCL_MSF_EXPORT TrackerParameters {
@@ -137,6 +138,8 @@ private:
   solve (Window window);
   void
   follow (Window window);
+  std::shared_ptr<Following>
+  learn (const WindowSolve& solve, const Window& window) const;
   FollowedMotion
   predictMotion () const;
   FollowedMotion

@@ -20,6 +20,7 @@ struct SceneFlowTracker::Following {
   std::vector<SegmentLink> links;
   CorrelationAreas areas;
   std::vector<double> costs; ///< per segment
+  int level{0};              ///< of the labels
   cv::Mat labels;            ///< of the segments, carried to the newest frame
   DepthFusion depth;         ///< of the reference
 
@@ -87,7 +88,7 @@ SceneFlowTracker::predictAnew (const Oversegmentation& segments) const
 {
   const Following& last = *following_;
   cv::Mat labels = segments.labels();
-  if (labels.size() != last.labels.size())
+  for (int i = 0; i < last.level; ++i)
     labels = halveLabels (labels);
   const std::vector<int> former =
       mostFrequent (labels,
@@ -117,8 +118,35 @@ SceneFlowTracker::dominantBody() const
                            segments.begin());
 }
 
+/** What a solve from the window's reference tells about the next frame. */
+std::shared_ptr<SceneFlowTracker::Following>
+SceneFlowTracker::learn (const WindowSolve& solve, const Window& window) const
+{
+  const RgbdFrame& newest = window.frames.back();
+  const bool same_reference = following_ && window.indices.front() == indices_.front();
+  auto now = std::make_shared<Following>();
+  now->state = solve.state();
+  now->links = solve.scene().links;
+  now->areas = solve.scene().noise.areas;
+  now->costs = solve.fit();
+  now->level = std::min<int> (1, static_cast<int> (newest.levels().size()) - 1);
+  now->labels = solve.labelsIn (1, now->level);
+  if (same_reference)
+    for (const int body : following_->state.body_of)
+      now->before.push_back (following_->state.poses[0][body]);
+  now->depth = same_reference ? following_->depth
+                              : DepthFusion (window.frames.front().levels()[0],
+                                             window.segments.labels());
+  now->depth.add ({&newest.levels()[0], now->state.ofPair (0)},
+                  solve.scene().noise,
+                  currentTuning().window.fusion,
+                  threadCount (solver_.threads));
+  return now;
+}
+
 /** Solves from the reference to the window's newest frame; a window of another
- * reference than the last one begins anew. */
+ * reference than the last one begins anew. A frame that shows nothing is passed over;
+ * where others are lost, the next one begins anew without a prediction. */
 void
 SceneFlowTracker::follow (Window window)
 {
@@ -130,34 +158,18 @@ SceneFlowTracker::follow (Window window)
     solve.follow (anew ? predictAnew (window.segments) : predictMotion());
   MultiframeSceneFlow result =
       solve.run (anew ? RigidPose{} : sceneFlow().dominant_motion);
-  auto now = std::make_shared<Following>();
-  now->state = solve.state();
-  now->links = solve.scene().links;
-  now->areas = solve.scene().noise.areas;
-  now->costs = solve.fit();
-  const int half = std::min<int> (1, static_cast<int> (frames[1].levels().size()) - 1);
-  now->labels = solve.labelsIn (1, half);
-  if (!anew && following_)
-    for (std::size_t k = 0; k < following_->state.body_of.size(); ++k)
-      now->before.push_back (following_->state.poses[0][following_->state.body_of[k]]);
-  now->depth = !anew && following_
-                   ? following_->depth
-                   : DepthFusion (frames.front().levels()[0], window.segments.labels());
-  now->depth.add ({&frames.back().levels()[0], now->state.ofPair (0)},
-                  solve.scene().noise,
-                  currentTuning().window.fusion,
-                  threadCount (solver_.threads));
+  std::shared_ptr<const Following> now = learn (solve, window);
   const Report& report = result.frames.back().report;
   const bool known = report.converged;
-  const bool covered_lens = report.stop_reason == StopReason::NothingDetermined;
+  const bool nothing_seen = report.stop_reason == StopReason::NothingDetermined;
   const double covered =
-      labelledShare (now->labels, frames[1].levels()[half].inverse_depth);
+      labelledShare (now->labels, frames[1].levels()[now->level].inverse_depth);
   adopt (std::move (window), std::move (result));
   explained_ = (explained_ && known && covered >= tracker_.least_explained) ||
-               (covered_lens && !anew);
+               (nothing_seen && !anew);
   if (known)
     following_ = std::move (now);
-  else if (!covered_lens)
+  else if (!nothing_seen)
     following_.reset();
 }
 

@@ -42,28 +42,6 @@ posesPerSegment (const WindowState& state)
 
 } // namespace
 
-std::vector<WindowSolve::Round>
-WindowSolve::followSchedule() const
-{
-  const SolveTuning& tuning = scene_.tuning.solve;
-  const int coarsest = std::min (tuning.start_level, levels_ - 1);
-  const int few = std::min (user_.max_iterations, tuning.later_iterations);
-  std::vector<Round> rounds;
-  for (int level = coarsest; level >= 0; --level) {
-    rounds.push_back ({"follow",
-                       level,
-                       level == 0 ? 0.6 : 0.2,
-                       level == 0 ? 1.0 : 0.6,
-                       level == 0 ? tuning.finest_iterations : few});
-    rounds.back().anew = level < coarsest; // startFollowing () entered that one
-    rounds.back().rescale_noise = true;
-    rounds.back().merge = level > 0 || coarsest == 0;
-    rounds.back().keep_worth = true;
-  }
-  rounds.back().last = true;
-  return rounds;
-}
-
 /** The exposure, the level of the first round, bodies where they may be now. \return
  * does that explain the frame? */
 bool

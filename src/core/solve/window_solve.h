@@ -89,6 +89,8 @@ public:
   }
 
 private:
+  static constexpr double kStartShare = 0.5; ///< of a window's work
+
   /** What is done on a level, in this order. */
   struct Round {
     const char* stage;

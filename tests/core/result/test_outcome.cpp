@@ -2,9 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include <opencv2/imgproc.hpp>
-
 #include "core/result/outcome.h"
+#include "support/other_place.h"
 #include "support/room.h"
 #include <gmock/gmock.h>
 #include <pcl_msf/multiframe_estimator.h>
@@ -70,21 +69,10 @@ protected:
     }
     return frame (color, depth);
   }
-  /** Another room: about as deep as this one, in other colours. */
   RgbdFrame
   otherRoom () const
   {
-    test::AnalyticScene other = scene_;
-    for (test::Quad& quad : other.quads)
-      quad.corner += Eigen::Vector3d (0.4, -0.2, 0.3);
-    test::View view = other.render (true);
-    std::mt19937 random (2);
-    std::uniform_real_distribution<float> bright (0.0f, 1.0f);
-    for (int y = 0; y < view.color.rows; y += 4)
-      for (int x = 0; x < view.color.cols; x += 4)
-        view.color (cv::Rect (x, y, 4, 4)) = bright (random);
-    cv::GaussianBlur (view.color, view.color, {}, 1.0);
-    return other.frame (view);
+    return test::otherPlace (scene_);
   }
   /** Depth at every eighth pixel only. */
   RgbdFrame

@@ -2,8 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include <opencv2/imgproc.hpp>
-
+#include "support/other_place.h"
 #include "support/standing_room.h"
 #include <gmock/gmock.h>
 #include <pcl_msf/errors.h>
@@ -13,7 +12,6 @@
 #include <cmath>
 #include <cstring>
 #include <map>
-#include <random>
 
 namespace {
 
@@ -212,22 +210,6 @@ TEST (SceneFlowTracker, PassesOverACoveredLens)
   EXPECT_LT (distanceToTruth (scene, 4, tracker.cameraPose()), 0.02);
 }
 
-/** Another room, about as deep, with a pattern of its own on everything. */
-RgbdFrame
-otherPlace (test::AnalyticScene scene)
-{
-  for (test::Quad& quad : scene.quads)
-    quad.corner += Eigen::Vector3d (0.4, -0.2, 0.3);
-  test::View view = scene.render (true);
-  std::mt19937 random (2);
-  std::uniform_real_distribution<float> bright (0.0f, 1.0f);
-  for (int y = 0; y < view.color.rows; y += 4)
-    for (int x = 0; x < view.color.cols; x += 4)
-      view.color (cv::Rect (x, y, 4, 4)) = bright (random);
-  cv::GaussianBlur (view.color, view.color, {}, 1.0);
-  return scene.frame (view);
-}
-
 TEST (SceneFlowTracker, BeginsAnewInAnotherPlace)
 {
   const test::AnalyticScene scene = standingRoom();
@@ -236,7 +218,7 @@ TEST (SceneFlowTracker, BeginsAnewInAnotherPlace)
     tracker.add (scene.frame (view));
   std::vector<bool> known;
   for (int i = 0; i < 3; ++i) {
-    tracker.add (otherPlace (scene));
+    tracker.add (test::otherPlace (scene));
     known.push_back (tracker.sceneFlow().report.converged);
   }
   EXPECT_THAT (known, testing::ElementsAre (false, true, true));

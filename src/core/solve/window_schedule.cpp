@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/solve/window_solve.h"
+
+#include <algorithm>
+
+/* The rounds of WindowSolve. */
+namespace pcl_msf {
+
+/** From coarse to fine; at the two finest levels, segments that move as one merge. The
+ * finest level is about half of the work, the start a fifth. */
+std::vector<WindowSolve::Round>
+WindowSolve::pairSchedule (int finest_level) const
+{
+  std::vector<Round> rounds;
+  const SolveTuning& tuning = scene_.tuning.solve;
+  const int finest = std::min (finest_level, levels_ - 1);
+  const int coarsest = std::min (tuning.coarsest_level, levels_ - 1);
+  const int few = std::min (user_.max_iterations, tuning.later_iterations);
+  for (int level = coarsest; level >= finest; --level) {
+    const double begin = level == 0 ? 0.5 : 0.5 - 0.15 * level;
+    Round round{"solve",
+                level,
+                begin,
+                begin + (level == 0 ? 0.3 : 0.15),
+                level == coarsest ? user_.max_iterations : few};
+    round.propose = round.merge = level < tuning.coarsest_level;
+    if (level == 0 && coarsest > 0)
+      round.iterations = std::min (few, tuning.finest_iterations);
+    rounds.push_back (round);
+    if (level == tuning.coarsest_level)
+      addSpreads (rounds);
+    else if (level > 0 && user_.merge_bodies)
+      addBodies (rounds);
+  }
+  if (finest > 0)
+    return rounds;
+  if (user_.merge_bodies) {
+    rounds.push_back ({"bodies", 0, 0.8, 1.0, few});
+    rounds.back().anew = false;
+    rounds.back().rescale_noise = true;
+  }
+  rounds.back().last = true;
+  return rounds;
+}
+
+/** Above the finest level bodies are found twice, which is cheap there: those that move
+ * as one body fit their place better than the segments did, so more of them find
+ * theirs. */
+void
+WindowSolve::addBodies (std::vector<Round>& rounds) const
+{
+  Round again = rounds.back();
+  rounds.back().end = again.begin = 0.5 * (again.begin + again.end);
+  again.stage = "bodies";
+  again.anew = again.propose = false;
+  again.rescale_noise = true;
+  rounds.push_back (again);
+}
+
+/** At the coarsest level, segments that lie beyond the start's reach get their motions
+ * from neighbours, step by step: as the end of a sheet that bends. */
+void
+WindowSolve::addSpreads (std::vector<Round>& rounds) const
+{
+  const int spreads = scene_.tuning.solve.spreads;
+  const double share = (rounds.back().end - rounds.back().begin) / (1 + spreads);
+  rounds.back().end = rounds.back().begin + share;
+  for (int i = 0; i < spreads; ++i) {
+    Round again = rounds.back();
+    again.begin += share;
+    again.end += share;
+    again.anew = false;
+    again.spread = true;
+    again.measure = i + 1 == spreads;
+    rounds.push_back (again);
+  }
+}
+
+/** The start leaves apart what may be one over all pairs, as textureless pieces of one
+ * surface, which the solve would let drift: bodies merge first. */
+std::vector<WindowSolve::Round>
+WindowSolve::windowSchedule() const
+{
+  const int few = std::min (user_.max_iterations, scene_.tuning.solve.later_iterations);
+  const double third = (1.0 - kStartShare) / 3.0;
+  std::vector<Round> rounds;
+  for (int i = 0; i < 3; ++i) {
+    Round round{"window",
+                std::min (i == 0 ? 1 : 0, levels_ - 1),
+                kStartShare + i * third,
+                kStartShare + (i + 1) * third,
+                i == 0 ? user_.max_iterations : few};
+    round.presort = i == 0;
+    round.rescale_noise = i > 0;
+    round.merge = i < 2;
+    round.fuse = i == 2;
+    rounds.push_back (round);
+  }
+  return rounds;
+}
+
+/** Of motions that are nearly known: bodies are formed at half resolution, the finest
+ * level only moves them. */
+std::vector<WindowSolve::Round>
+WindowSolve::followSchedule() const
+{
+  const SolveTuning& tuning = scene_.tuning.solve;
+  const int coarsest = std::min (tuning.start_level, levels_ - 1);
+  const int few = std::min (user_.max_iterations, tuning.later_iterations);
+  std::vector<Round> rounds;
+  for (int level = coarsest; level >= 0; --level) {
+    rounds.push_back ({"follow",
+                       level,
+                       level == 0 ? 0.6 : 0.2,
+                       level == 0 ? 1.0 : 0.6,
+                       level == 0 ? tuning.finest_iterations : few});
+    rounds.back().anew = level < coarsest; // startFollowing () entered that one
+    rounds.back().rescale_noise = true;
+    rounds.back().merge = level > 0 || coarsest == 0;
+    rounds.back().keep_worth = true;
+  }
+  rounds.back().last = true;
+  return rounds;
+}
+
+} // namespace pcl_msf
