@@ -3,8 +3,8 @@
 #include "work.h"
 
 #include "common/command_line.h"
+#include "common/methods/peak_memory.h"
 #include "common/tool_main.h"
-#include "peak_memory.h"
 #include "score_pair.h"
 #include <pcl_msf/errors.h>
 
