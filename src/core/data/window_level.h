@@ -73,6 +73,16 @@ public:
                int level,
                LevelPoints points,
                const EnergyParameters& energy);
+  /** \param labels as prepareLevel () takes them, with the scene's noise */
+  WindowLevel (const WindowScene& scene,
+               int level,
+               const std::vector<cv::Mat>& labels,
+               const EnergyParameters& energy)
+  : WindowLevel (scene,
+                 level,
+                 prepareLevel (scene, level, labels, pointOptions (scene, level)),
+                 energy)
+  {}
   WindowLevel (const WindowLevel&) = delete;
   WindowLevel&
   operator= (const WindowLevel&) = delete;

@@ -162,20 +162,17 @@ WindowSolve::start (const RigidPose& guess, const std::vector<KnownStep>& known)
 void
 WindowSolve::enterLevel (const Round& round)
 {
-  LevelPoints points;
-  if (upcoming_.valid())
-    points = upcoming_.get();
-  else {
-    const std::vector<cv::Mat> labels = carryLabels (round.level);
-    if (!isPair())
-      fitExposures (round.level, labels[pairs_.reference()]);
-    if (round.fuse)
-      fuseDepth();
-    points =
-        prepareLevel (scene_, round.level, labels, pointOptions (scene_, round.level));
+  if (upcoming_.valid()) {
+    level_ =
+        std::make_unique<WindowLevel> (scene_, round.level, upcoming_.get(), energy_);
+    return;
   }
-  level_ =
-      std::make_unique<WindowLevel> (scene_, round.level, std::move (points), energy_);
+  const std::vector<cv::Mat> labels = carryLabels (round.level);
+  if (!isPair())
+    fitExposures (round.level, labels[pairs_.reference()]);
+  if (round.fuse)
+    fuseDepth();
+  level_ = std::make_unique<WindowLevel> (scene_, round.level, labels, energy_);
 }
 
 /** Of two frames, points of a level depend on nothing that the solve finds: another
