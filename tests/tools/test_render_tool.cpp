@@ -191,6 +191,11 @@ TEST_F (RenderCase, LiveWindowRefusesInOneLine)
   std::filesystem::remove (folder_ ("case/depth_1.png"));
   std::filesystem::remove (folder_ ("case/color_1.png"));
   refused ("two are needed");
+  const ToolRun stream = runTool (folder_,
+                                  "env -u DISPLAY " PCL_MSF_TOOLS "/pcl_msf_view " +
+                                      folder_ ("case") + " --stream --rate 5");
+  EXPECT_EQ (stream.status, 1);
+  EXPECT_THAT (stream.err, HasSubstr ("two are needed"));
 }
 
 } // namespace

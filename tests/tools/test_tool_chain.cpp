@@ -79,15 +79,22 @@ protected:
     EXPECT_TRUE (fs::exists (result + "/after_tints.png"));
     expectSuccess ("report", result + " --output " + result + "/index.html");
     EXPECT_THAT (readFile (result + "/index.html"), HasSubstr ("\"after_tints.png\""));
+    watch (result + " --sequence " + folder_ ("seq"));
+  }
+
+  /** A live window on a display of its own, until it is told to end. */
+  void
+  watch (const std::string& arguments) const
+  {
     const std::string display = folder_ ("display");
     fs::remove (display);
-    const ToolRun seen = runTool (
-        folder_,
-        "{ Xvfb -displayfd 3 -screen 0 640x480x24 -nolisten tcp 3>" + display +
-            " 2>/dev/null & x=$!; until [ -s " + display +
-            " ]; do sleep 0.05; done; DISPLAY=:$(cat " + display +
-            ") timeout --preserve-status 4 " + kTools + "/pcl_msf_view " + result +
-            " --sequence " + folder_ ("seq") + "; s=$?; kill $x; wait $x; exit $s; }");
+    const ToolRun seen =
+        runTool (folder_,
+                 "{ Xvfb -displayfd 3 -screen 0 640x480x24 -nolisten tcp 3>" + display +
+                     " 2>/dev/null & x=$!; until [ -s " + display +
+                     " ]; do sleep 0.05; done; DISPLAY=:$(cat " + display +
+                     ") timeout --preserve-status 4 " + kTools + "/pcl_msf_view " +
+                     arguments + "; s=$?; kill $x; wait $x; exit $s; }");
     EXPECT_EQ (seen.status, 128 + 15) << "it was open until it was told to end";
     EXPECT_EQ (seen.err, "");
   }
@@ -109,6 +116,14 @@ TEST_F (ToolChain, PairsWindowsAndTrackingCanBeShown)
                    folder_ ("seq") + modes[i].first + " --quiet --output " + result);
     showResult (result, modes[i].second);
   }
+}
+
+TEST_F (ToolChain, AStreamCanBeWatched)
+{
+  if (!hasTool ("view"))
+    GTEST_SKIP() << "built without VTK";
+  synthesize ("seq", 4);
+  watch (folder_ ("seq") + " --stream --rate 5");
 }
 
 TEST_F (ToolChain, ResultsWithoutCloudsAreReportedAndNotDrawn)

@@ -4,13 +4,14 @@
 #include "common/input_files.h"
 #include "common/interruption.h"
 #include "common/output_folder.h"
+#include "common/player/frame_player.h"
+#include "common/player/stream_tracker.h"
 #include "common/recordings.h"
 #include "common/standard_streams.h"
 #include "common/tool_main.h"
 #include "io/base/output_file.h"
-#include "stream/frame_player.h"
+#include "stream/options.h"
 #include "stream/statistics.h"
-#include "stream/stream_tracker.h"
 #include <pcl_msf/io/float_files.h>
 #include <pcl_msf/io/pose_files.h>
 

@@ -22,14 +22,7 @@ addSourceOptions (CLI::App& app, StreamOptions& o)
   addMaxTimeDifference (app,
                         "between colour and depth images of a recording",
                         o.reading.max_time_difference);
-  auto* rate =
-      addOption (app,
-                 "--rate",
-                 "HZ",
-                 "frames a second, above 0 [by the recording's times, else 30]",
-                 [&o] (const std::string& text) {
-                   return parse (text, o.rate.emplace()) && *o.rate > 0.0;
-                 });
+  auto* rate = addRateOption (app, o);
   addFlag (app,
            "--as-fast-as-possible",
            "every frame once the one before is solved; none is dropped",

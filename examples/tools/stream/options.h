@@ -2,25 +2,16 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "common/method_options.h"
-#include <pcl_msf/io/datasets.h>
+#include "common/player/player_settings.h"
 
-#include <optional>
 #include <string>
 
 namespace pcl_msf::tool {
 
 /** \brief Everything that the command line of pcl_msf_stream says. */
-struct StreamOptions : WindowSettings {
-  StreamOptions() { window = 0; }
-
-  std::string source; ///< a recording's folder or its rgb.txt
-  io::DatasetOptions reading;
-  std::optional<double> rate; ///< frames a second; none = the recording's own times
-  bool every_frame{false};    ///< as fast as possible, none dropped
-  int queue{1};               ///< frames that may wait
-  std::string output;         ///< folder; empty = nothing is written
-  bool flow{false};           ///< written, too
+struct StreamOptions : PlayerSettings {
+  std::string output; ///< folder; empty = nothing is written
+  bool flow{false};   ///< written, too
   bool quiet{false};
 };
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "stream/stream_tracker.h"
+#include "common/player/stream_tracker.h"
 
 #include <deque>
 #include <string>

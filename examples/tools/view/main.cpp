@@ -9,6 +9,8 @@
 #include "common/recordings.h"
 #include "common/result_folder.h"
 #include "common/tool_main.h"
+#include "view/sequence_solver.h"
+#include "view/stream_solver.h"
 #include "view/window.h"
 #include <CLI/App.hpp>
 #include <pcl_msf/visualization/virtual_display.h>
@@ -23,22 +25,31 @@ namespace {
 using namespace pcl_msf;
 using namespace pcl_msf::tool;
 
-struct ViewOptions {
-  std::string input;          ///< a result folder or a folder with frames
-  std::string sequence;       ///< a folder with the frames of a result folder
-  io::DatasetOptions reading; ///< of frames
+/** `source` is a result folder or a folder with frames. */
+struct ViewOptions : PlayerSettings {
+  std::string sequence; ///< a folder with the frames of a result folder
+  bool stream{false};   ///< played into the tracker
 };
 
 constexpr const char* kSummary =
     "A live window: clouds, segments, the warp and displacement arrows.\n\n"
     "  pcl_msf_view FOLDER     frames; every one is solved to the next\n"
+    "  pcl_msf_view FOLDER --stream             played as a camera would, and tracked\n"
     "  pcl_msf_view RESULT --sequence FOLDER    what pcl_msf_scene_flow wrote";
 
 void
 declareOptions (CLI::App& app, ViewOptions& options)
 {
-  addText (app, "FOLDER", "PATH", "frames, or a result", options.input)->required();
-  addText (app, "--sequence", "FOLDER", "frames of a result folder", options.sequence);
+  addText (app, "FOLDER", "PATH", "frames, or a result", options.source)->required();
+  auto* sequence = addText (
+      app, "--sequence", "FOLDER", "frames of a result folder", options.sequence);
+  auto* stream = addFlag (app,
+                          "--stream",
+                          "play the frames at their rate into the tracker and show the "
+                          "newest",
+                          options.stream)
+                     ->excludes (sequence);
+  addRateOption (app, options)->needs (stream);
   addReadingOptions (app, options.reading);
   app.footer (std::string ("Keys:\n") + ViewWindow::keys());
 }
@@ -50,13 +61,13 @@ resultMaker (const ViewOptions& options, std::vector<ResultPair> pairs)
   if (options.sequence.empty())
     throw UsageError ("--sequence: missing; a result is shown with its frames");
   const auto frames = openFrames (options.sequence, options.reading);
-  return
-      [folder = options.input, frames, pairs] (int pair, const std::function<bool()>&) {
-        visualization::ResultClouds result = readResult (folder, pairs[pair]);
-        requireFrame (*frames, pairs[pair].current);
-        takeCurrent (frames->frame (pairs[pair].current), result);
-        return result;
-      };
+  return [folder = options.source, frames, pairs] (int pair,
+                                                   const std::function<bool()>&) {
+    visualization::ResultClouds result = readResult (folder, pairs[pair]);
+    requireFrame (*frames, pairs[pair].current);
+    takeCurrent (frames->frame (pairs[pair].current), result);
+    return result;
+  };
 }
 
 void
@@ -86,6 +97,15 @@ pairMaker (std::shared_ptr<const io::RgbdSequence> frames, std::optional<double>
   };
 }
 
+std::shared_ptr<const io::RgbdSequence>
+openTwoOrMore (const ViewOptions& options)
+{
+  auto frames = openFramesNotResults (options.source, options.reading);
+  if (frames->frames() < 2)
+    throw UsageError ("'" + options.source + "': holds one frame; two are needed");
+  return frames;
+}
+
 /** What there is to show. */
 struct Pairs {
   int count;
@@ -95,37 +115,53 @@ struct Pairs {
 Pairs
 openPairs (const ViewOptions& options)
 {
-  const std::vector<ResultPair> pairs = resultPairs (options.input);
+  const std::vector<ResultPair> pairs = resultPairs (options.source);
   if (!pairs.empty())
     return {static_cast<int> (pairs.size()), resultMaker (options, pairs)};
-  const auto frames = openFramesNotResults (options.input, options.reading);
-  if (frames->frames() < 2)
-    throw UsageError ("'" + options.input + "': holds one frame; two are needed");
+  const auto frames = openTwoOrMore (options);
   return {frames->frames() - 1, pairMaker (frames, options.reading.depth_scale)};
+}
+
+using Begin = std::function<std::unique_ptr<ResultSource>()>;
+
+/** Reads what there is; solving begins when that is called. */
+Begin
+open (const ViewOptions& options)
+{
+  if (!options.stream)
+    return [pairs = openPairs (options)] {
+      return std::make_unique<SequenceSolver> (pairs.count, pairs.make);
+    };
+  return [&options, frames = openTwoOrMore (options)] {
+    return std::make_unique<StreamSolver> (
+        frames, options, [] (const std::string& text) {
+          complain ("pcl_msf_view", "warning: " + text);
+        });
+  };
 }
 
 /** Is there something to look at, or will there be? */
 bool
-isOfUse (const SequenceSolver& solver)
+isOfUse (const ResultSource& source)
 {
-  return solver.problem().empty() || solver.solved() > 0;
+  return source.problem().empty() || source.solved() > 0;
 }
 
 int
 run (const ViewOptions& options)
 {
-  const Pairs pairs = openPairs (options);
+  const Begin begin = open (options);
   std::shared_ptr<void> display; // is there as long as the window
   const std::string problem = visualization::displayProblem (&display);
   if (!problem.empty())
     throw UsageError (problem + "; a live window needs one; pcl_msf_render makes "
                                 "pictures without");
-  SequenceSolver solver (pairs.count, pairs.make);
-  ViewWindow window (solver);
-  while (!interrupted() && isOfUse (solver) && window.spin()) {
+  const std::unique_ptr<ResultSource> source = begin();
+  ViewWindow window (*source);
+  while (!interrupted() && isOfUse (*source) && window.spin()) {
   }
-  if (!solver.problem().empty() && !interrupted())
-    throw std::runtime_error (solver.problem());
+  if (!source->problem().empty() && !interrupted())
+    throw std::runtime_error (source->problem());
   return interrupted() ? interruptedStatus() : 0;
 }
 

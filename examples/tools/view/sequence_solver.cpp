@@ -51,6 +51,15 @@ SequenceSolver::result (int pair) const
 }
 
 std::string
+SequenceSolver::title (int pair) const
+{
+  const std::string words =
+      "pair " + std::to_string (pair + 1) + " of " + std::to_string (pairs_);
+  const int done = solved();
+  return done < pairs_ ? words + ", solved " + std::to_string (done) : words;
+}
+
+std::string
 SequenceSolver::problem() const
 {
   const std::lock_guard<std::mutex> lock (mutex_);

@@ -2,11 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include <pcl_msf/visualization/result_scenes.h>
+#include "view/result_source.h"
 
 #include <atomic>
 #include <functional>
-#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -16,10 +15,8 @@ namespace pcl_msf::tool {
 
 /** \brief Makes the results of pairs one after the other in a thread of its own; what
  * is done can be looked at meanwhile. */
-class SequenceSolver {
+class SequenceSolver : public ResultSource {
 public:
-  using Result = std::shared_ptr<const visualization::ResultClouds>;
-
   /** \brief Makes a pair's result; asked for 0, 1, ... in turn.
    * \param go_on asked now and then; false = the result is not wanted any more */
   using Maker = std::function<visualization::ResultClouds (
@@ -28,28 +25,19 @@ public:
   SequenceSolver (int pairs, Maker make);
 
   /** \brief Gives up what is being solved and waits for the thread. */
-  ~SequenceSolver();
+  ~SequenceSolver() override;
   SequenceSolver (const SequenceSolver&) = delete;
   SequenceSolver&
   operator= (const SequenceSolver&) = delete;
 
   int
-  pairs () const
-  {
-    return pairs_;
-  }
-
-  /** \brief Number of pairs that are solved. */
-  int
-  solved () const;
-
-  /** \brief A solved pair; null when it is not there yet. */
+  solved () const override;
   Result
-  result (int pair) const;
-
-  /** \brief Why solving ended before the end; empty when it did not. */
+  result (int pair) const override;
   std::string
-  problem () const;
+  title (int pair) const override;
+  std::string
+  problem () const override;
 
 private:
   void

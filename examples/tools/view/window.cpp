@@ -66,8 +66,8 @@ cloudOf (const Scene& scene)
 /** What the window shows and how keys change it. */
 class ViewWindow::Content {
 public:
-  explicit Content (const SequenceSolver& solver)
-  : solver_ (solver), viewer_ ("pcl_msf_view")
+  explicit Content (const ResultSource& source)
+  : source_ (source), viewer_ ("pcl_msf_view")
   {
     viewer_.setBackgroundColor (1.0, 1.0, 1.0);
     viewer_.setSize (1024, 768);
@@ -83,16 +83,18 @@ public:
     viewer_.spinOnce (kMilliseconds);
     if (viewer_.wasStopped())
       return false;
-    if (solver_.solved() != seen_) {
-      seen_ = solver_.solved();
+    if (source_.solved() != seen_) {
+      seen_ = source_.solved();
+      if (source_.isLive())
+        pair_ = seen_ - 1;
       changed_ = changed_ || shown_ != pair_;
       tell();
     }
     if (playing_ &&
         Clock::now() - stepped_ > std::chrono::duration<double> (kPlaySeconds))
-      step (pair_ + 1 < solver_.solved() ? 1 : -pair_);
-    if (changed_ && solver_.result (pair_))
-      show (*solver_.result (pair_));
+      step (pair_ + 1 < source_.solved() ? 1 : -pair_);
+    if (const auto result = changed_ ? source_.result (pair_) : nullptr)
+      show (*result);
     return true;
   }
 
@@ -124,7 +126,7 @@ private:
   void
   step (int by)
   {
-    const int last = std::max (0, solver_.solved() - 1);
+    const int last = std::max (0, source_.solved() - 1);
     const int next = std::clamp (pair_ + by, 0, last);
     changed_ = changed_ || next != pair_;
     pair_ = next;
@@ -135,12 +137,9 @@ private:
   void
   tell ()
   {
-    std::string words = "pair " + std::to_string (pair_ + 1) + " of " +
-                        std::to_string (solver_.pairs()) + ", " + kModes[mode_].name;
-    if (solver_.solved() < solver_.pairs())
-      words += ", solved " + std::to_string (solver_.solved());
-    if (!solver_.problem().empty())
-      words += ": " + solver_.problem();
+    std::string words = source_.title (pair_) + ", " + kModes[mode_].name;
+    if (!source_.problem().empty())
+      words += ": " + source_.problem();
     viewer_.updateText (words, 10, 10, 15, 0.0, 0.0, 0.0, kStatus);
   }
 
@@ -181,7 +180,7 @@ private:
         0.0, 0.0, -0.7 * bounds.radius, c.x(), c.y(), c.z(), 0.0, -1.0, 0.0);
   }
 
-  const SequenceSolver& solver_;
+  const ResultSource& source_;
   pcl::visualization::PCLVisualizer viewer_;
   vtkSmartPointer<vtkActor> arrow_actor_;
   std::size_t mode_{1};
@@ -194,8 +193,8 @@ private:
   Clock::time_point stepped_{Clock::now()};
 };
 
-ViewWindow::ViewWindow (const SequenceSolver& solver)
-: content_ (std::make_unique<Content> (solver))
+ViewWindow::ViewWindow (const ResultSource& source)
+: content_ (std::make_unique<Content> (source))
 {}
 
 ViewWindow::~ViewWindow() = default;

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "view/sequence_solver.h"
+#include "view/result_source.h"
 
 #include <memory>
 
@@ -12,7 +12,7 @@ namespace pcl_msf::tool {
  * see visualization::displayProblem. */
 class ViewWindow {
 public:
-  explicit ViewWindow (const SequenceSolver& solver);
+  explicit ViewWindow (const ResultSource& source);
   ~ViewWindow();
   ViewWindow (const ViewWindow&) = delete;
   ViewWindow&

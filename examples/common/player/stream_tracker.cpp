@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "stream/stream_tracker.h"
+#include "common/player/stream_tracker.h"
 
 #include "common/interruption.h"
 #include "common/outcome_text.h"
@@ -13,7 +13,7 @@ namespace {
 constexpr double kDegrees = 57.29577951308232; // per radian
 
 TrackerParameters
-trackerParameters (const StreamOptions& options)
+trackerParameters (const PlayerSettings& options)
 {
   TrackerParameters parameters;
   parameters.window = options.window;
@@ -21,19 +21,20 @@ trackerParameters (const StreamOptions& options)
 }
 
 SolverParameters
-interruptible (SolverParameters solver)
+interruptible (SolverParameters solver, const std::function<bool()>& go_on)
 {
-  solver.progress = [] (const Progress&) { return !interrupted(); };
+  solver.progress = [go_on] (const Progress&) { return !interrupted() && go_on(); };
   return solver;
 }
 
 } // namespace
 
-StreamTracker::StreamTracker (const StreamOptions& options)
+StreamTracker::StreamTracker (const PlayerSettings& options,
+                              const std::function<bool()>& go_on)
 : tracker_ (trackerParameters (options),
             options.segmentation,
             options.energy,
-            interruptible (options.solver),
+            interruptible (options.solver, go_on),
             options.multiframe)
 {}
 
@@ -61,7 +62,10 @@ StreamTracker::track (const StreamFrame& frame, StreamResult& result)
     return;
   }
   indices_[tracker_.frameIndex (tracker_.frames() - 1)] = frame.index;
-  indices_.erase (indices_.begin(), indices_.lower_bound (tracker_.firstFrame()));
+  std::map<long, int> kept; // of frames that the tracker still has
+  for (int f = 0; f < tracker_.frames(); ++f)
+    kept[tracker_.frameIndex (f)] = indices_[tracker_.frameIndex (f)];
+  indices_.swap (kept);
   result.reference = indices_.begin()->second;
   result.first = tracker_.frames() == 1;
   if (result.first)

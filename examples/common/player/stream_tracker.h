@@ -2,9 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "stream/frame_reader.h"
+#include "common/player/frame_reader.h"
 #include <pcl_msf/scene_flow_tracker.h>
 
+#include <functional>
 #include <map>
 #include <string>
 
@@ -27,8 +28,11 @@ struct StreamResult {
 /** \brief Follows frames with a SceneFlowTracker and survives those that it loses. */
 class StreamTracker {
 public:
-  /** \throws InvalidInput */
-  explicit StreamTracker (const StreamOptions& options);
+  /** \param go_on asked after every iteration; false = the frame is not wanted any
+   * more \throws InvalidInput */
+  explicit StreamTracker (
+      const PlayerSettings& options,
+      const std::function<bool()>& go_on = [] { return true; });
 
   StreamResult
   take (const StreamFrame& frame);

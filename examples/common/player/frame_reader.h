@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "stream/options.h"
+#include "common/player/player_settings.h"
 #include <pcl_msf/io/rgbd_sequence.h>
 #include <pcl_msf/rgbd_frame.h>
 
@@ -18,8 +18,9 @@ using StreamClock = std::chrono::steady_clock;
 
 /** \brief A frame as it comes out of a camera. */
 struct StreamFrame {
-  int index{0};        ///< place in the recording
-  double seconds{0.0}; ///< of the recording; its index when that has no times
+  int index{0};          ///< place in the recording
+  double seconds{0.0};   ///< of the recording; its index when that has no times
+  io::RgbdImages images; ///< that the frame was made of
   RgbdFrame frame;
   std::string problem; ///< why there is no frame; empty when there is one
   StreamClock::time_point arrival;
@@ -34,7 +35,7 @@ public:
   /** \param warn is called with one line when something of a frame is not used or
    * unlikely, once for each kind of thing. All must outlive the reader. */
   FrameReader (const io::RgbdSequence& sequence,
-               const StreamOptions& options,
+               const PlayerSettings& options,
                Warn warn);
 
   /** \brief What is wrong with a frame is its `problem`, but the first one that is read
@@ -44,13 +45,13 @@ public:
   read (int index);
 
 private:
-  RgbdFrame
-  load (int index);
+  void
+  load (StreamFrame& into);
   void
   warnOnce (const std::string& kind, const std::string& text);
 
   const io::RgbdSequence& sequence_;
-  const StreamOptions& options_;
+  const PlayerSettings& options_;
   Warn warn_;
   std::set<std::string> warned_; ///< kinds
   std::optional<double> color_unit_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "stream/frame_reader.h"
+#include "common/player/frame_reader.h"
 
 #include "common/depth_check.h"
 
@@ -11,7 +11,7 @@
 namespace pcl_msf::tool {
 
 FrameReader::FrameReader (const io::RgbdSequence& sequence,
-                          const StreamOptions& options,
+                          const PlayerSettings& options,
                           Warn warn)
 : sequence_ (sequence), options_ (options), warn_ (std::move (warn))
 {}
@@ -23,11 +23,11 @@ FrameReader::warnOnce (const std::string& kind, const std::string& text)
     warn_ (text);
 }
 
-RgbdFrame
-FrameReader::load (int index)
+void
+FrameReader::load (StreamFrame& into)
 {
-  io::RgbdImages images = sequence_.frame (index);
-  const std::string name = options_.source + ": frame " + std::to_string (index);
+  io::RgbdImages images = sequence_.frame (into.index);
+  const std::string name = options_.source + ": frame " + std::to_string (into.index);
   if (!images.note.empty())
     warnOnce ("colour", name + ": " + images.note);
   const std::string problem =
@@ -40,8 +40,9 @@ FrameReader::load (int index)
   if (!color_unit_)
     color_unit_ = io::colorUnit ({&images});
   io::setColorUnit (images, *color_unit_);
-  return RgbdFrame::fromImages (
-      images.color, images.depth, images.camera, options_.frame);
+  into.frame =
+      RgbdFrame::fromImages (images.color, images.depth, images.camera, options_.frame);
+  into.images = std::move (images);
 }
 
 StreamFrame
@@ -52,7 +53,7 @@ FrameReader::read (int index)
   const double seconds = sequence_.timestamp (index);
   result.seconds = std::isfinite (seconds) ? seconds : index;
   try {
-    result.frame = load (index);
+    load (result);
     started_ = true;
   }
   catch (const std::exception& e) {

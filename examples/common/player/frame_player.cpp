@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "stream/frame_player.h"
+#include "common/player/frame_player.h"
 
 #include "common/interruption.h"
 
@@ -32,7 +32,7 @@ dueTimes (const io::RgbdSequence& sequence, const std::optional<double>& rate)
 } // namespace
 
 FramePlayer::FramePlayer (const io::RgbdSequence& sequence,
-                          const StreamOptions& options,
+                          const PlayerSettings& options,
                           FrameReader& reader,
                           Queue& queue)
 : reader_ (reader)

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "stream/frame_reader.h"
+#include "common/player/frame_reader.h"
 #include <pcl_msf/frame_queue.h>
 
 #include <atomic>
@@ -25,7 +25,7 @@ public:
   /** \brief Begins. All must outlive the player; the reader and the recording are its
    * own meanwhile. */
   FramePlayer (const io::RgbdSequence& sequence,
-               const StreamOptions& options,
+               const PlayerSettings& options,
                FrameReader& reader,
                Queue& queue);
 
