@@ -121,6 +121,26 @@ TEST (RigidMoments, FindThePoseThatPullsFrom)
   EXPECT_NEAR (moments.cost (off) / (0.5 * x.dot (information * x)), 1.0, 1e-2);
 }
 
+TEST (RigidMoments, AreNotLostWhereFewPullsLeaveTurnsFree)
+{
+  // Points in a row, far from where faint pulls want them: turns about the row are
+  // free.
+  RigidMoments moments;
+  for (int i = 0; i < 4; ++i) {
+    PointPull pull;
+    pull.add (Eigen::Vector3d (0.3 + 0.3 * i, 0.4, 0.2 * (i % 2)),
+              Eigen::Vector3d (0.1 * i, 1.0, 0.02 * i).normalized(),
+              1e-7,
+              0.01);
+    moments.add (Eigen::Vector3d (0.5 + 1e-3 * i, -0.6, 0.1), pull, 1.0);
+  }
+  RigidPose start;
+  start.parameters = {1.2, 0.3, -0.4, 0.1, 0.2, 0.1};
+  const RigidPose found = moments.solve (start);
+  EXPECT_LE (moments.cost (found), moments.cost (start));
+  EXPECT_LT (found.translation().norm(), 3.0);
+}
+
 TEST (PartMerging, JoinsWhatMovesAsOneAndNoMore)
 {
   RigidPose other = kPose;
