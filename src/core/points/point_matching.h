@@ -34,7 +34,7 @@ struct MatchRules {
   double least{0.0};         ///< robust weight of a tight pair
   double mutual{0.0};        ///< scale of the way there and back; 0 = unused
   double backward{1.0};      ///< weight of the target's points' own matches
-  bool borders{false};                      ///< may a match lie on the target's border?
+  bool borders{false};       ///< may a match lie on the target's border?
 };
 
 /** \brief Which points of two clouds lie on the other one. */
