@@ -7,7 +7,8 @@
 # - rooms of core and io know those before them in the lists below; rooms between the same
 #   commas stand side by side and do not know each other;
 # - a tool knows examples/common and no other tool, nor does it compile another's files;
-# - tests know the library or tools that they are named after, and tests/support.
+# - tests know the library or tools that they are named after, and tests/support;
+#   benchmarks know the core and what the tools share.
 # usage: bash cmake/check_rooms.sh [SOURCE_TREE]
 set -euo pipefail
 cd "${1:-$(dirname "${BASH_SOURCE[0]}")/..}"
@@ -76,7 +77,8 @@ wrong="$( { includes; compiled; } | awk -v core="$core" -v io="$io" '
     next
   }
   from[1] == "tests" && from[2] !~ /^(support|package)$/ {
-    own = from[2] == "datasets" ? "io" : from[2]
+    own = from[2] == "datasets" ? "io" : from[2] == "benchmarks" ? "core" : from[2]
+    if (from[2] == "benchmarks" && (m == 1 || to[1] ~ /^(common|bench)$/)) next
     if (to[1] == "support" || to[1] == own || to[2] == "base") next
     if (own == "tools" && !isLibrary(to[1])) next
     problem("not of what these tests are named after")

@@ -9,7 +9,7 @@ packages=(cmake g++ make libeigen3-dev libpcl-dev libceres-dev libopencv-dev
           libopencv-contrib-dev libvtk9-dev libcli11-dev nlohmann-json3-dev xvfb)
 case "${1:-}" in
   "") ;;
-  --tests) packages+=(libgtest-dev libgmock-dev parallel openmpi-bin) ;;
+  --tests) packages+=(libgtest-dev libgmock-dev parallel openmpi-bin libbenchmark-dev) ;;
   *) echo "usage: bash cmake/install_dependencies.sh [--tests]" >&2; exit 2 ;;
 esac
 

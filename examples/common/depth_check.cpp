@@ -42,15 +42,18 @@ metresText (double metres)
 /** Names a usual scale that would bring the median to where RGB-D cameras measure.
  * Without a given one floats had 1 and integers mostly 1000. */
 std::string
-remedy (double median, const std::optional<double>& scale)
+remedy (double median, const DepthUnit& unit)
 {
+  if (unit.defined)
+    return "give other limits";
   const std::string give =
-      scale ? "give units per metre" : "give --depth-scale, units per metre";
-  for (const double used : {scale.value_or (1.0), scale.value_or (1000.0)})
+      unit.scale ? "give units per metre" : "give --depth-scale, units per metre";
+  for (const double used : {unit.scale.value_or (1.0), unit.scale.value_or (1000.0)})
     for (const double usual : {1000.0, 1.0, 5000.0, 10000.0, 100.0}) {
       const double metres = median * used / usual;
       if (usual != used && metres > 0.2 && metres < 20.0)
-        return give + ", for example " + generalText (usual);
+        return give + ", for example " + generalText (usual) +
+               (usual == 1000.0 * used ? " (millimetres?)" : "");
     }
   return give + ", or other limits";
 }
@@ -70,7 +73,7 @@ std::string
 checkDepth (const cv::Mat& depth,
             const FrameParameters& limits,
             const std::string& name,
-            const std::optional<double>& scale)
+            const DepthUnit& unit)
 {
   std::vector<float> measured = measuredDepth (depth);
   if (measured.empty())
@@ -84,20 +87,21 @@ checkDepth (const cv::Mat& depth,
   });
   const double dropped =
       1.0 - static_cast<double> (kept) / static_cast<double> (measured.size());
-  const bool unlikely = median < kUnlikelyNear || median > kUnlikelyFar;
+  const bool unlikely =
+      !unit.defined && (median < kUnlikelyNear || median > kUnlikelyFar);
   const bool much = kept == 0 || (dropped >= kMuchDropped && areDefaults (limits));
   if (!much && !unlikely)
     return {};
   const auto [least, most] = std::minmax_element (measured.begin(), measured.end());
   std::string text =
       name + ": depth is " + metresText (*least) + " to " + metresText (*most) + " m";
-  if (scale)
-    text += " with --depth-scale " + generalText (*scale);
+  if (unit.scale)
+    text += " with --depth-scale " + generalText (*unit.scale);
   if (much && (kept > 0 || !unlikely))
     text += ", and " + fixedText (100.0 * dropped, 0) +
             " % is dropped, not between --min-depth " + generalText (limits.min_depth) +
             " and --max-depth " + generalText (limits.max_depth);
-  text += "; " + remedy (median, scale);
+  text += "; " + remedy (median, unit);
   if (kept == 0)
     throw UsageError (text);
   return text;

@@ -11,9 +11,14 @@
 
 namespace pcl_msf::tool {
 
+/** \brief What is known of the unit of depth images. */
+struct DepthUnit {
+  std::optional<double> scale; ///< what --depth-scale gave; none = a default
+  bool defined{false};         ///< by the data, see RgbdSequence::definesDepthUnit
+};
+
 /** \brief Looks whether a depth image can be in metres.
  * \param depth CV_32FC1, metres \param name of its file or frame, for the message
- * \param scale what --depth-scale gave; none = a default or the recording's own
  * \return a warning when most of it is unlikely far or near, or much is dropped by the
  * limits; empty when all is well
  * \throws UsageError when nothing is between --min-depth and --max-depth */
@@ -21,6 +26,6 @@ std::string
 checkDepth (const cv::Mat& depth,
             const FrameParameters& limits,
             const std::string& name,
-            const std::optional<double>& scale);
+            const DepthUnit& unit);
 
 } // namespace pcl_msf::tool

@@ -3,6 +3,7 @@
 #include "common/output_folder.h"
 
 #include "common/command_line.h"
+#include "common/one_line.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/folders.h>
 
@@ -70,21 +71,12 @@ clear (const std::string& folder, const std::string& tool)
   }
 }
 
-/** As one field of a line. */
-std::string
-oneWord (std::string text)
-{
-  std::replace_if (
-      text.begin(), text.end(), [] (char c) { return c == '\t' || c == '\n'; }, ' ');
-  return text;
-}
-
 } // namespace
 
 OutputFolder::OutputFolder (std::string folder, std::string tool, std::string group)
 : folder_ (std::move (folder))
 , tool_ (std::move (tool))
-, group_ (oneWord (std::move (group)))
+, group_ (oneLine (std::move (group)))
 , stage_ (folder_, tool_)
 , manifest_ (folder_, tool_)
 {

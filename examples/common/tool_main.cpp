@@ -8,11 +8,12 @@
 
 #include "common/command_line.h"
 #include "common/interruption.h"
+#include "common/one_line.h"
+#include "common/standard_streams.h"
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -45,18 +46,20 @@ public:
 } // namespace
 
 void
-complain (const std::string& program, std::string message)
+complain (const std::string& program, const std::string& message)
 {
-  std::replace (message.begin(), message.end(), '\n', ' ');
-  std::fprintf (stderr, "%s: %s\n", program.c_str(), message.c_str());
+  std::fprintf (stderr, "%s: %s\n", program.c_str(), oneLine (message).c_str());
 }
 
 int
 runTool (const std::string& program, const std::function<int()>& work)
 {
   cv::utils::logging::setLogLevel (cv::utils::logging::LOG_LEVEL_SILENT);
+  keepStandardStreams();
   try {
-    return work();
+    const int status = work();
+    finishStandardOutput();
+    return status;
   }
   catch (const std::exception& e) {
     complain (program, e.what());

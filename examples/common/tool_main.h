@@ -13,11 +13,12 @@ namespace pcl_msf::tool {
 
 /** \brief One line on stderr, "program: message", whatever the message holds. */
 void
-complain (const std::string& program, std::string message);
+complain (const std::string& program, const std::string& message);
 
 /** \brief Runs `work` and returns its exit status. What it throws becomes one line on
  * stderr and the status 1, that of the signal after one. OpenCV's own messages
- * would stand beside that line and are turned off. */
+ * would stand beside that line and are turned off. A reader of stdout who goes away
+ * ends nothing; see standard_streams.h. */
 int
 runTool (const std::string& program, const std::function<int()>& work);
 

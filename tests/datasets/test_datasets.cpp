@@ -85,11 +85,14 @@ TEST (Datasets, ADepthScaleCountsOrIsRefused)
           ->frame (0)
           .depth;
   EXPECT_FLOAT_EQ (scaled.at<float> (40, 40), metres.at<float> (40, 40) / 500.0F);
+  EXPECT_FALSE (
+      openDataset (io::DatasetKind::Cases, folder ("case"))[0]->definesDepthUnit());
   written.layout = SequenceLayout::Sintel;
   writeSequence (smallSequence(), folder ("training"), written);
   for (const io::DatasetKind kind :
        {io::DatasetKind::Sintel, io::DatasetKind::Automatic})
     try {
+      EXPECT_TRUE (openDataset (kind, folder ("training"))[0]->definesDepthUnit());
       openDataset (kind, folder ("training"), options);
       ADD_FAILURE() << static_cast<int> (kind);
     }

@@ -198,4 +198,28 @@ TEST_F (CloudDialects, MillimetresBecomeMetres)
   EXPECT_THROW (io::readCloudImages (folder_ ("mm.pcd"), {}, 0.0), InvalidInput);
 }
 
+// Wavefront's Appendix B1; colours as MeshLab, Blender and others write them.
+TEST_F (CloudDialects, ObjWithWeightsAndColours)
+{
+  const auto colors = [this] (const std::string& vertices) {
+    writeFile (folder_ ("a.obj"),
+               "# by hand\nmtllib a.mtl\n" + vertices + "vn 0 0 1\nf 1 1 1\n");
+    const io::PointFile file = io::readPoints (folder_ ("a.obj"));
+    EXPECT_EQ (file.points.front(), Eigen::Vector3f (1.5F, -2.0F, 3.0F)) << vertices;
+    return file.colors;
+  };
+  using Colors = std::vector<std::uint32_t>;
+  EXPECT_EQ (colors ("v 1.5 -2 3\n"), Colors{});
+  EXPECT_EQ (colors ("v 1.5 -2 3 1.0 # a weight\r\n"), Colors{});
+  EXPECT_EQ (colors ("v 1.5 -2 3 1 0.2 0\nv 0 0 1 0 0 0.6\n"),
+             (Colors{0xFF3300U, 0x000099U}));
+  EXPECT_EQ (colors ("v 1.5 -2 3 200 20 10\nv 0 0 1 0 1 0\n"),
+             (Colors{0xC8140AU, 0x000100U}));
+  EXPECT_EQ (colors ("v 1.5 -2 3 1 0 1 0.5\n"), Colors{0xFF00FFU}) << "with alpha";
+  EXPECT_EQ (colors ("v 1.5 -2 3 nan 1 0\nv 0 0 1\n"), (Colors{0x00FF00U, 0xFFFFFFU}))
+      << "white without a colour";
+  expectIoError ([&] { colors ("v 1.5 -2 3 red\n"); }, "a.obj", "'red' is no number");
+  expectIoError ([&] { colors ("v 1.5 -2\n"); }, "a.obj", "2 numbers");
+}
+
 } // namespace

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
+#include "common/methods/lifting.h"
 #include "evaluate/generated.h"
-#include "evaluate/lifting.h"
 #include "evaluate/score_pair.h"
 #include "evaluate/work.h"
 

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "common/command_line.h"
+#include "common/methods/method.h"
 #include "common/shard.h"
-#include "evaluate/method.h"
 #include "support/evaluation.h"
 
 #include <cstdlib>

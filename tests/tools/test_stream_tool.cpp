@@ -246,6 +246,15 @@ TEST_P (StreamToolSignals, LeaveWhatWasComputed)
   EXPECT_EQ (report()["tracked"], lines.size());
 }
 
+TEST_F (StreamTool, EndsWhenNobodyGetsWhatComes)
+{
+  writeTumRecording ({100.0, 100.05, 100.1, 4000.0});
+  runTool (folder_,
+           "{ sleep 0.2; timeout --preserve-status 300 " + kTool + " " +
+               folder_ ("tum") + "; echo $? >" + folder_ ("status") + "; } | true");
+  EXPECT_EQ (readFile (folder_ ("status")), "0\n");
+}
+
 TEST_F (StreamTool, RefusesInOneLine)
 {
   writeRecording (2);

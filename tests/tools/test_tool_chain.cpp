@@ -227,12 +227,15 @@ TEST_F (ToolChain, RendersGoWithTheResultThatTheyShow)
   if (!hasTool ("render"))
     GTEST_SKIP() << "no VTK";
   synthesize ("seq", 2);
-  const std::string out = folder_ ("out");
-  expectSuccess ("scene_flow", folder_ ("seq") + " --quiet --output " + out);
-  expectSuccess ("render", out + " --quiet --kind warped --output " + out);
-  ASSERT_TRUE (fs::exists (out + "/warped.png"));
-  expectSuccess ("scene_flow", folder_ ("seq") + " --quiet --output " + out);
-  EXPECT_FALSE (fs::exists (out + "/warped.png")) << "of a result that is gone";
+  for (const char* name : {"out", "two\nlines"}) {
+    const std::string out = "'" + folder_ (name) + "'";
+    const std::string picture = folder_ (name) + "/warped.png";
+    expectSuccess ("scene_flow", folder_ ("seq") + " --quiet --output " + out);
+    expectSuccess ("render", out + " --quiet --kind warped --output " + out);
+    ASSERT_TRUE (fs::exists (picture));
+    expectSuccess ("scene_flow", folder_ ("seq") + " --quiet --output " + out);
+    EXPECT_FALSE (fs::exists (picture)) << "of a result that is gone";
+  }
 }
 
 /** Every tool that writes a file refuses one that it reads. */
@@ -313,6 +316,7 @@ TEST_F (ToolChain, HelpSucceedsAndUnknownOptionsDoNot)
 {
   for (const std::string tool : {"scene_flow",
                                  "synthesize",
+                                 "register",
                                  "register_clouds",
                                  "flow_error",
                                  "evaluate",

@@ -29,14 +29,14 @@ numberText (double value)
 std::string
 quoted (const std::string& text)
 {
-  if (text.find_first_of (",\"\n") == std::string::npos)
+  if (text.find_first_of (",\"") == std::string::npos)
     return text;
   std::string result = "\"";
   for (const char c : text)
     if (c == '"')
       result += "\"\"";
     else
-      result += c == '\n' ? ' ' : c; // a row is a line
+      result += c;
   return result + "\"";
 }
 

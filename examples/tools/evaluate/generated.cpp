@@ -53,6 +53,12 @@ public:
     return images;
   }
 
+  bool
+  definesDepthUnit () const override
+  {
+    return true;
+  }
+
   io::MotionTruth
   truth (int from, int to) const override;
 

@@ -4,11 +4,11 @@
 
 #include "common/camera_effects.h"
 #include "common/command_line.h"
+#include "common/methods/method.h"
 #include "common/tuning_options.h"
 #include "core/base/number_text.h"
 #include "core/base/tuning/tuning.h"
 #include "evaluate_option_table.h"
-#include "method.h"
 #include "score.h"
 #include <CLI/App.hpp>
 

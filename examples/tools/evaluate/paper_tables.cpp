@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "common/table_text.h"
 #include "summary.h"
-#include "table_text.h"
 #include "tables.h"
 #include <pcl_msf/evaluation/flow_errors.h>
 

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "score_pair.h"
 
-#include "lifting.h"
+#include "common/methods/lifting.h"
 #include <pcl_msf/evaluation/flow_errors.h>
 #include <pcl_msf/evaluation/motion_errors.h>
 #include <pcl_msf/evaluation/residuals.h>

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "tables.h"
 
+#include "common/table_text.h"
 #include "summary.h"
-#include "table_text.h"
 #include <pcl_msf/evaluation/flow_errors.h>
 
 #include <algorithm>

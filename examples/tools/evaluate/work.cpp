@@ -3,8 +3,10 @@
 #include "work.h"
 
 #include "common/command_line.h"
+#include "common/depth_check.h"
+#include "common/methods/peak_memory.h"
+#include "common/one_line.h"
 #include "common/tool_main.h"
-#include "peak_memory.h"
 #include "score_pair.h"
 #include <pcl_msf/errors.h>
 
@@ -59,6 +61,18 @@ load (const WorkItem& item)
   return pair;
 }
 
+/** Methods that need no depth run all the same. */
+std::string
+depthProblem (const cv::Mat& depth, const std::string& name, const DepthUnit& unit)
+{
+  try {
+    return checkDepth (depth, {}, name, unit);
+  }
+  catch (const UsageError& problem) {
+    return problem.what();
+  }
+}
+
 } // namespace
 
 std::vector<WorkItem>
@@ -73,8 +87,8 @@ listWork (const EvaluateOptions& options)
   std::vector<WorkItem> work;
   std::map<std::string, int> uses;
   for (const auto& sequence : sequences) {
-    std::string name = sequence->name();
-    if (const int use = ++uses[name]; use > 1) // rows are told apart by it
+    std::string name = oneLine (sequence->name()); // a row of the table is a line
+    if (const int use = ++uses[name]; use > 1)     // rows are told apart by it
       name += "#" + std::to_string (use);
     addPairs (options, sequence, name, work);
   }
@@ -87,22 +101,34 @@ listWork (const EvaluateOptions& options)
 }
 
 PairRunner::PairRunner (const EvaluateOptions& options)
-: dataset_ (options.dataset), names_ (options.methods)
+: dataset_ (options.dataset)
+, depth_scale_ (options.reading.depth_scale)
+, names_ (options.methods)
 {
   for (const std::string& name : names_)
     methods_.push_back (makeMethod (name, options.threads));
+}
+
+void
+PairRunner::tellOnce (const WorkItem& item, int frame, const io::RgbdImages& images)
+{
+  const std::string name = item.name + ": frame " + std::to_string (frame);
+  const auto tell = [&] (const std::string& kind, const std::string& text) {
+    if (!text.empty() && told_.insert (item.name + kind).second)
+      complain ("pcl_msf_evaluate", "warning: " + text);
+  };
+  if (!images.note.empty())
+    tell (images.note, name + ": " + images.note);
+  const DepthUnit unit{depth_scale_, item.sequence->definesDepthUnit()};
+  tell ("depth", depthProblem (images.depth, name, unit));
 }
 
 std::vector<Row>
 PairRunner::run (const WorkItem& item)
 {
   const PairData pair = load (item);
-  for (const auto& [frame, images] :
-       {std::pair (item.from, &pair.reference), std::pair (item.to, &pair.current)})
-    if (!images->note.empty() && told_.insert (item.name + images->note).second)
-      complain ("pcl_msf_evaluate",
-                "warning: " + item.name + ": frame " + std::to_string (frame) + ": " +
-                    images->note);
+  tellOnce (item, item.from, pair.reference);
+  tellOnce (item, item.to, pair.current);
   const bool color = !pair.reference.color.empty();
   const PairScorer scorer (pair);
   cv::Mat seen;

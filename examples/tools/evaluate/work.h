@@ -2,11 +2,12 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "method.h"
+#include "common/methods/method.h"
 #include "options.h"
 #include "score.h"
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -17,7 +18,7 @@ namespace pcl_msf::tool {
 struct WorkItem {
   std::size_t number{0};
   std::shared_ptr<const io::RgbdSequence> sequence;
-  std::string name; ///< the sequence's
+  std::string name; ///< the sequence's, in one line; each has its own
   int from{0};
   int to{0};
 };
@@ -29,7 +30,8 @@ listWork (const EvaluateOptions& options);
 
 /** \brief Runs all methods on a pair; the rows in the order of the methods. A method
  * that cannot run on this pair (no colour, no truth) has a row of unknowns. What of the
- * files is not used is told on stderr, once a sequence. */
+ * files is not used, and depth that can hardly be in metres, is told on stderr, once a
+ * sequence. */
 class PairRunner {
 public:
   /** \throws UsageError for an unknown method */
@@ -39,10 +41,14 @@ public:
   run (const WorkItem& item);
 
 private:
+  void
+  tellOnce (const WorkItem& item, int frame, const io::RgbdImages& images);
+
   std::string dataset_;
+  std::optional<double> depth_scale_;
   std::vector<std::string> names_;
   std::vector<std::unique_ptr<Method>> methods_;
-  std::set<std::string> told_; ///< what of a sequence's files is not used
+  std::set<std::string> told_; ///< by sequence and kind of problem
 };
 
 } // namespace pcl_msf::tool

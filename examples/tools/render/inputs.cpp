@@ -114,7 +114,10 @@ readFrame (const io::RgbdSequence& frames, const RenderOptions& options, int fra
   const std::string name = nameOf (options, frame);
   if (!images.note.empty())
     warn (name + ": " + images.note);
-  warn (checkDepth (images.depth, {}, name, options.reading.depth_scale));
+  warn (checkDepth (images.depth,
+                    {},
+                    name,
+                    {options.reading.depth_scale, frames.definesDepthUnit()}));
   return images;
 }
 

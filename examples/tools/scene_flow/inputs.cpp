@@ -148,8 +148,10 @@ Inputs::checkContent (int first, const std::vector<io::RgbdImages>& images)
     const std::string name = nameOf (first + static_cast<int> (i));
     if (!images[i].note.empty())
       warnOnce ("colour", name + ": " + images[i].note);
+    const DepthUnit unit{options_.depth_scale,
+                         sequence_ && sequence_->definesDepthUnit()};
     const std::string problem =
-        checkDepth (images[i].depth, options_.frame, name, options_.depth_scale);
+        checkDepth (images[i].depth, options_.frame, name, unit);
     if (!problem.empty())
       warnOnce ("depth", problem);
   }

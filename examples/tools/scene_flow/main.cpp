@@ -4,6 +4,7 @@
 #include <pcl/console/print.h>
 
 #include "common/input_files.h"
+#include "common/one_line.h"
 #include "common/outcome_text.h"
 #include "common/output_folder.h"
 #include "common/output_manifest.h"
@@ -158,7 +159,8 @@ private:
   std::vector<std::string>
   renders (const OutputManifest& pictures) const
   {
-    const std::string result = std::filesystem::canonical (options_.output).string();
+    const std::string result =
+        oneLine (std::filesystem::canonical (options_.output).string());
     std::vector<std::string> names;
     for (const auto& [name, entry] : pictures.entries())
       if (entry.group.rfind (result + " ", 0) == 0)

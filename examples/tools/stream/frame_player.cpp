@@ -53,6 +53,7 @@ FramePlayer::~FramePlayer()
 void
 FramePlayer::requireFrames()
 {
+  stop_ = true;
   if (thread_.joinable())
     thread_.join();
   if (error_)

@@ -31,7 +31,10 @@ FrameReader::load (int index)
   if (!images.note.empty())
     warnOnce ("colour", name + ": " + images.note);
   const std::string problem =
-      checkDepth (images.depth, options_.frame, name, options_.reading.depth_scale);
+      checkDepth (images.depth,
+                  options_.frame,
+                  name,
+                  {options_.reading.depth_scale, sequence_.definesDepthUnit()});
   if (!problem.empty())
     warnOnce ("depth", problem);
   if (!color_unit_)

@@ -5,6 +5,7 @@
 #include "common/interruption.h"
 #include "common/output_folder.h"
 #include "common/recordings.h"
+#include "common/standard_streams.h"
 #include "common/tool_main.h"
 #include "io/base/output_file.h"
 #include "stream/frame_player.h"
@@ -87,7 +88,7 @@ private:
   std::vector<io::TimedPose> poses_;
 };
 
-/** Until the recording ends or a signal comes. */
+/** Until the recording ends, a signal comes, or nobody gets results any more. */
 void
 playInto (StreamOutput& output,
           StreamStatistics& statistics,
@@ -113,6 +114,8 @@ playInto (StreamOutput& output,
     output.add (result, frame->seconds, tracker.sceneFlow());
     if (!options.quiet)
       print (statistics.line (result));
+    if (options.output.empty() && standardOutputIsLost())
+      break; // nobody gets what would come
   }
   queue.close();
   player.requireFrames();

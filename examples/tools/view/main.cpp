@@ -74,10 +74,11 @@ pairMaker (std::shared_ptr<const io::RgbdSequence> frames, std::optional<double>
   auto reference = std::make_shared<io::RgbdImages> (frames->frame (0));
   if (!reference->note.empty())
     warn (0, reference->note);
-  warn (0, checkDepth (reference->depth, {}, "depth", scale));
+  const DepthUnit unit{scale, frames->definesDepthUnit()};
+  warn (0, checkDepth (reference->depth, {}, "depth", unit));
   return [=] (int pair, const std::function<bool()>& go_on) {
     io::RgbdImages current = frames->frame (pair + 1);
-    warn (pair + 1, checkDepth (current.depth, {}, "depth", scale));
+    warn (pair + 1, checkDepth (current.depth, {}, "depth", unit));
     visualization::ResultClouds result = estimatePair (*reference, current, go_on);
     warn (pair + 1, problemOf (result.scene_flow.report));
     *reference = std::move (current);

@@ -21,8 +21,9 @@ struct PointFile {
 };
 
 /** \brief Reads the points of a .pcd, .ply (ascii or binary) or .obj file; of the last
- * two the vertices. Fields other than x y z and, in .pcd and .ply, colours are ignored;
- * a .pcd's are those of readOrganizedCloud. \throws IoError */
+ * two the vertices. Fields other than x y z and colours are ignored; a .pcd's are those
+ * of readOrganizedCloud, an .obj's the three numbers behind x y z, 0 to 1 or 0 to 255.
+ * \throws IoError */
 PCL_MSF_EXPORT PointFile
 readPoints (const std::string& path);
 

@@ -57,6 +57,12 @@ public:
   /** \brief `world_from_camera` of frame k. */
   virtual std::optional<RigidPose>
   cameraPose (int k) const;
+
+  /** \brief Do the data define their unit of depth, so that `depth` is in metres (or in
+   * the unit of its models) whatever its values are? Else, the default, it is as files
+   * or DatasetOptions::depth_scale say, which may be wrong. */
+  virtual bool
+  definesDepthUnit () const;
 };
 
 } // namespace pcl_msf::io

@@ -55,9 +55,10 @@ public:
             kBodies)
   {}
 
-  /** \brief Adds all points at a state's poses, rows of tiles in parallel. */
+  /** \brief Adds points at a state's poses, those of some rows of tiles, in parallel.
+   */
   void
-  add (const MotionState& state, int threads);
+  add (const MotionState& state, int most_rows, int threads);
   void
   collect (Ratios& brightness, Ratios& icp) const;
 
@@ -92,10 +93,13 @@ TileSums::tileOf (int pixel, int body)
 }
 
 void
-TileSums::add (const MotionState& state, int threads)
+TileSums::add (const MotionState& state, int most_rows, int threads)
 {
   const int rows = (image_.height + side_ - 1) / side_;
-  parallelFor (threads, rows, 1, [&] (int row) { addRow (state, row); });
+  const int step = std::max (1, rows / most_rows);
+  parallelFor (threads, rows / step, 1, [&] (int row) {
+    addRow (state, row * step + step / 2);
+  });
 }
 
 /** Adds what lies in a row of tiles; a segment's points are in raster order. */
@@ -183,7 +187,7 @@ measureCorrelationAreas (const std::vector<PairTerms>& terms,
   Ratios icp;
   for (const PairTerms& pair : fromReference (terms)) {
     TileSums sums (*pair.all, std::max (tuning.least_tile, tuning.tile >> level));
-    sums.add (state.ofPair (pair.pair), threads);
+    sums.add (state.ofPair (pair.pair), tuning.most_rows, threads);
     sums.collect (brightness, icp);
   }
   const double pixels = 1 << (2 * level); // of level 0 in one of the level

@@ -30,61 +30,92 @@ probePoints (const FrameLevel& level,
   return groupPixels (level, labels, scene.segments, options);
 }
 
+namespace {
+
+void
+prepareFrame (const WindowScene& scene,
+              int f,
+              int level,
+              const cv::Mat& labels,
+              const PointOptions& options,
+              LevelPoints& out)
+{
+  FrameLevel frame = scene.frames[f].levels()[level];
+  if (!frame.intensity.empty() && !scene.exposure.empty())
+    frame.intensity = correctIntensity (frame, scene.exposure[f], scene.falloff);
+  const bool reference = f == scene.pairs.reference();
+  if (reference && level == 0 && !scene.fused_depth.empty())
+    frame.inverse_depth = scene.fused_depth;
+  if (!labels.empty())
+    out.pixels[f] = groupPixels (frame, labels, scene.segments, options);
+  if (reference)
+    out.probes = probePoints (frame, labels, scene, options);
+  else
+    out.textures[f] = std::make_unique<Texture> (frame);
+}
+
+} // namespace
+
+LevelPoints
+prepareLevel (const WindowScene& scene,
+              int level,
+              const std::vector<cv::Mat>& labels,
+              const PointOptions& options)
+{
+  const int count = static_cast<int> (scene.frames.size());
+  const bool many = count > 2; // else threads share a frame's points
+  PointOptions of_frame = options;
+  if (many)
+    of_frame.threads = 1;
+  LevelPoints points;
+  points.pixels.resize (count);
+  points.textures.resize (count);
+  parallelFor (many ? options.threads : 1, count, 1, [&] (int f) {
+    prepareFrame (scene, f, level, labels[f], of_frame, points);
+  });
+  return points;
+}
+
 WindowLevel::WindowLevel (const WindowScene& scene,
                           int level,
-                          const std::vector<cv::Mat>& labels,
+                          LevelPoints points,
                           const EnergyParameters& energy)
 : scene_ (scene)
 , energy_ (energy)
-, pixels_ (scene.frames.size())
-, textures_ (scene.frames.size())
+, points_ (std::move (points))
 , data_ (scene.pairs.count())
 , probe_data_ (scene.pairs.count())
 , focal_length_ (scene.frames[scene.pairs.reference()].levels()[level].camera.fx)
 {
-  const int count = static_cast<int> (scene.frames.size());
-  const bool many = count > 2; // else threads share a frame's points
-  parallelFor (many ? scene.threads : 1, count, 1, [&] (int f) {
-    prepareFrame (f, level, labels[f], many ? 1 : scene.threads);
-  });
+  setAreas();
   for (const int p : scene.used) {
     const FramePairs::Pair& pair = scene.pairs[p];
-    const auto term = [&] (const SegmentPixels& points) {
+    const auto term = [&] (const SegmentPixels& pixels) {
       auto made = std::make_unique<DataTerm> (
-          points,
-          *textures_[pair.to],
-          makeRules (energy, points, scene.tuning.data.missing),
+          pixels,
+          *points_.textures[pair.to],
+          makeRules (energy, pixels, scene.tuning.data.missing),
           scene.threads);
       // The finest level knows better: there the energy is the method's alone.
       if (scene.flow)
         made->setFlow (*scene.flow,
-                       1.0 / residualScale (energy, points),
+                       1.0 / residualScale (energy, pixels),
                        level > 0 ? scene.tuning.start.evidence.solving : 0.0);
       return made;
     };
-    data_[p] = term (pixels_[pair.from]);
+    data_[p] = term (points_.pixels[pair.from]);
     if (pair.from == scene.pairs.reference())
-      probe_data_[p] = term (probes_);
+      probe_data_[p] = term (points_.probes);
   }
 }
 
+/** What residuals are worth may have been measured since the points were made. */
 void
-WindowLevel::prepareFrame (int f, int level, const cv::Mat& labels, int threads)
+WindowLevel::setAreas()
 {
-  FrameLevel frame = scene_.frames[f].levels()[level];
-  if (!frame.intensity.empty() && !scene_.exposure.empty())
-    frame.intensity = correctIntensity (frame, scene_.exposure[f], scene_.falloff);
-  const bool reference = f == scene_.pairs.reference();
-  if (reference && level == 0 && !scene_.fused_depth.empty())
-    frame.inverse_depth = scene_.fused_depth;
-  PointOptions options = pointOptions (scene_, level);
-  options.threads = threads;
-  if (!labels.empty())
-    pixels_[f] = groupPixels (frame, labels, scene_.segments, options);
-  if (reference)
-    probes_ = probePoints (frame, labels, scene_, options);
-  else
-    textures_[f] = std::make_unique<Texture> (frame);
+  for (SegmentPixels& pixels : points_.pixels)
+    pixels.areas = scene_.noise.areas;
+  points_.probes.areas = scene_.noise.areas;
 }
 
 std::vector<PairTerms>
@@ -102,7 +133,7 @@ WindowLevel::terms() const
 void
 WindowLevel::rescaleBodyNoise (const WindowState& state)
 {
-  for (std::size_t f = 0; f < pixels_.size(); ++f) {
+  for (std::size_t f = 0; f < points_.pixels.size(); ++f) {
     std::vector<PairTerms> from;
     for (const PairTerms& pair : terms())
       if (scene_.pairs[pair.pair].from == static_cast<int> (f))
@@ -110,7 +141,7 @@ WindowLevel::rescaleBodyNoise (const WindowState& state)
     if (from.empty())
       continue;
     pcl_msf::rescaleBodyNoise (
-        from, state, scene_.tuning.data.body_noise, scene_.threads, pixels_[f]);
+        from, state, scene_.tuning.data.body_noise, scene_.threads, points_.pixels[f]);
     for (const PairTerms& pair : from)
       data_[pair.pair]->forget();
   }
@@ -119,9 +150,7 @@ WindowLevel::rescaleBodyNoise (const WindowState& state)
 void
 WindowLevel::reweigh()
 {
-  for (SegmentPixels& points : pixels_)
-    points.areas = scene_.noise.areas;
-  probes_.areas = scene_.noise.areas;
+  setAreas();
   for (const auto& terms : {&data_, &probe_data_})
     for (const std::unique_ptr<DataTerm>& term : *terms)
       if (term)

@@ -49,16 +49,40 @@ probePoints (const FrameLevel& level,
              const WindowScene& scene,
              PointOptions options);
 
+/** \brief What of a level depends on no poses, once segments have been carried. */
+struct LevelPoints {
+  std::vector<SegmentPixels> pixels;              ///< per frame, grouped by segment
+  SegmentPixels probes;                           ///< a sample of the reference's
+  std::vector<std::unique_ptr<Texture>> textures; ///< per frame
+};
+
+/** \brief Prepares a level. Of the scene it reads the frames, exposures and fused
+ * depth, but no noise: that of the options counts. \param labels per frame, of this
+ * level; empty for frames that no pair starts from */
+LevelPoints
+prepareLevel (const WindowScene& scene,
+              int level,
+              const std::vector<cv::Mat>& labels,
+              const PointOptions& options);
+
 /** \brief One pyramid level of a window: every frame's points grouped by the segments
  * carried there, every frame's texture, shared by all pairs; a data term per pair. */
 class WindowLevel {
 public:
-  /** \param labels per frame, of this level; empty for frames that no pair starts from
-   */
+  WindowLevel (const WindowScene& scene,
+               int level,
+               LevelPoints points,
+               const EnergyParameters& energy);
+  /** \param labels as prepareLevel () takes them, with the scene's noise */
   WindowLevel (const WindowScene& scene,
                int level,
                const std::vector<cv::Mat>& labels,
-               const EnergyParameters& energy);
+               const EnergyParameters& energy)
+  : WindowLevel (scene,
+                 level,
+                 prepareLevel (scene, level, labels, pointOptions (scene, level)),
+                 energy)
+  {}
   WindowLevel (const WindowLevel&) = delete;
   WindowLevel&
   operator= (const WindowLevel&) = delete;
@@ -118,18 +142,16 @@ public:
   const SegmentPixels&
   pixels (int frame) const
   {
-    return pixels_[frame];
+    return points_.pixels[frame];
   }
 
 private:
   void
-  prepareFrame (int frame, int level, const cv::Mat& labels, int threads);
+  setAreas ();
 
   const WindowScene& scene_;
   const EnergyParameters energy_;
-  std::vector<SegmentPixels> pixels_;                 ///< per frame
-  SegmentPixels probes_;                              ///< of the reference
-  std::vector<std::unique_ptr<Texture>> textures_;    ///< per frame
+  LevelPoints points_;
   std::vector<std::unique_ptr<DataTerm>> data_;       ///< per pair
   std::vector<std::unique_ptr<DataTerm>> probe_data_; ///< per pair
   double focal_length_;

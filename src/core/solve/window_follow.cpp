@@ -64,7 +64,11 @@ WindowSolve::startFollowing()
   state_.weights.assign (scene_.links.size(), 1.0);
   state_.poses = {followed_->guesses.front()};
   compareExposure (at, points);
-  level_ = std::make_unique<WindowLevel> (scene_, at, labels, energy_);
+  level_ = std::make_unique<WindowLevel> (
+      scene_,
+      at,
+      prepareLevel (scene_, at, labels, pointOptions (scene_, at)),
+      energy_);
   takeBestGuesses();
   return partLost();
 }

@@ -108,8 +108,12 @@ WindowSolve::solve (const std::vector<Round>& schedule)
   report_.start_seconds = monitor_.seconds();
   begin_ = 0.0;
   share_ = 1.0;
-  for (const Round& r : schedule)
-    round (r);
+  for (auto r = schedule.begin(); r != schedule.end(); ++r) {
+    const auto next =
+        std::find_if (r + 1, schedule.end(), [] (const Round& n) { return n.anew; });
+    upcoming_level_ = next == schedule.end() ? -1 : next->level;
+    round (*r);
+  }
   report_.solve_seconds = monitor_.seconds() - report_.start_seconds;
 }
 
@@ -158,6 +162,11 @@ WindowSolve::start (const RigidPose& guess, const std::vector<KnownStep>& known)
 void
 WindowSolve::enterLevel (const Round& round)
 {
+  if (upcoming_.valid()) {
+    level_ =
+        std::make_unique<WindowLevel> (scene_, round.level, upcoming_.get(), energy_);
+    return;
+  }
   const std::vector<cv::Mat> labels = carryLabels (round.level);
   if (!isPair())
     fitExposures (round.level, labels[pairs_.reference()]);
@@ -166,11 +175,27 @@ WindowSolve::enterLevel (const Round& round)
   level_ = std::make_unique<WindowLevel> (scene_, round.level, labels, energy_);
 }
 
+/** Of two frames, points of a level depend on nothing that the solve finds: another
+ * thread makes the next level's, while this one has much to do alone. */
+void
+WindowSolve::prepareUpcoming()
+{
+  if (!isPair() || scene_.threads == 1 || upcoming_level_ < 0 || upcoming_.valid())
+    return;
+  PointOptions options = pointOptions (scene_, upcoming_level_);
+  options.threads = 1;
+  upcoming_ = std::async (
+      std::launch::async, [this, options, labels = carryLabels (upcoming_level_)] {
+        return prepareLevel (scene_, options.level, labels, options);
+      });
+}
+
 void
 WindowSolve::round (const Round& round)
 {
   if (round.anew)
     enterLevel (round);
+  prepareUpcoming();
   if (round.spread && !spreadMotions()) {
     if (round.measure)
       measureCorrelation (round.level);

@@ -8,6 +8,7 @@
 #include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/oversegmentation.h>
 
+#include <future>
 #include <memory>
 #include <vector>
 
@@ -149,6 +150,8 @@ private:
   round (const Round& round);
   void
   enterLevel (const Round& round);
+  void
+  prepareUpcoming ();
   std::vector<cv::Mat>
   carryLabels (int level) const;
   void
@@ -198,6 +201,8 @@ private:
   std::vector<double> fit_;
   std::unique_ptr<WindowLevel> level_; ///< the present one
   Report report_;
+  int upcoming_level_{-1};            ///< that comes after the present one; -1: none
+  std::future<LevelPoints> upcoming_; ///< of that; waits for its thread as it goes
 };
 
 } // namespace pcl_msf

@@ -72,7 +72,8 @@ PairStart::run (const cv::Mat& labels,
         reference_, current_, scene_.tuning.start.flow, scene_.threads);
     suggest (probes, at, lift (depth, at, guess, points, wanted), poses);
   }
-  if (!optical.flow.empty() && lostShare (probes, poses) > scene_.tuning.start.lost)
+  if (!optical.flow.empty() && lostShare (probes, poses) > scene_.tuning.start.lost &&
+      (flow.bodies.empty() || !followsFlow (flow.samples, flow.bodies.front())))
     suggestFarMotions (optical, at, guess, points, probes, poses);
   return poses;
 }
@@ -274,6 +275,25 @@ PairStart::lostShare (const DataTerm& probes, const std::vector<RigidPose>& pose
   const std::vector<char> lost = unexplained (probes, poses);
   const auto count = static_cast<double> (std::count (lost.begin(), lost.end(), 1));
   return count / std::max<double> (1.0, static_cast<double> (lost.size()));
+}
+
+/** Does much of the flow follow one motion? Then it has not lost the scene, even where
+ * residuals are larger than the noise makes believe. */
+bool
+PairStart::followsFlow (const SampleTable& flow, const RigidPose& pose) const
+{
+  const std::vector<float> errors =
+      sampleErrors (flow.samples.data(),
+                    static_cast<int> (flow.samples.size()),
+                    pose,
+                    fitOptions (scene_));
+  const FarMotionTuning& far = scene_.tuning.start.far_motion;
+  const auto following =
+      std::count_if (errors.begin(), errors.end(), [&far] (float error) {
+        return error < far.explained * far.agree;
+      });
+  return static_cast<double> (following) >
+         (1.0 - scene_.tuning.start.lost) * static_cast<double> (errors.size());
 }
 
 /** Which segments do not fit the current frame at their present poses. */

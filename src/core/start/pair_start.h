@@ -92,6 +92,8 @@ private:
   compareExposure (const RigidPose& pose, int at, SegmentPixels& points);
   double
   lostShare (const DataTerm& probes, const std::vector<RigidPose>& poses) const;
+  bool
+  followsFlow (const SampleTable& flow, const RigidPose& pose) const;
 
   WindowScene& scene_;
   const EnergyParameters& energy_;

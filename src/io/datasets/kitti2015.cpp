@@ -30,6 +30,12 @@ public:
   , baseline_ (baseline)
   {}
 
+  bool
+  definesDepthUnit () const override
+  {
+    return true;
+  }
+
   MotionTruth
   truth (int from, int to) const override
   {

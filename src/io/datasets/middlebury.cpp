@@ -56,6 +56,12 @@ public:
   : ListedSequence (std::move (name), std::move (files), 1.0), pair_ (std::move (pair))
   {}
 
+  bool
+  definesDepthUnit () const override
+  {
+    return true;
+  }
+
   MotionTruth
   truth (int from, int to) const override
   {

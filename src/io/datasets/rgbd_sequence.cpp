@@ -24,4 +24,10 @@ RgbdSequence::cameraPose (int) const
   return std::nullopt;
 }
 
+bool
+RgbdSequence::definesDepthUnit() const
+{
+  return false;
+}
+
 } // namespace pcl_msf::io

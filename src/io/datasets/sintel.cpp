@@ -36,6 +36,12 @@ public:
   , place_ (std::move (place))
   {}
 
+  bool
+  definesDepthUnit () const override
+  {
+    return true;
+  }
+
   MotionTruth
   truth (int from, int to) const override
   {

@@ -23,6 +23,12 @@ class VirtualKitti1Sequence : public ListedSequence {
 public:
   using ListedSequence::ListedSequence;
 
+  bool
+  definesDepthUnit () const override
+  {
+    return true;
+  }
+
   MotionTruth
   truth (int from, int to) const override
   {

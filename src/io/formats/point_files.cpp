@@ -18,6 +18,20 @@ namespace pcl_msf::io {
 
 namespace {
 
+constexpr std::uint32_t kWhite = 0xFFFFFF;
+
+/** 0xRRGGBB; nothing without colours. */
+std::vector<std::uint32_t>
+packedColors (const RgbdImages& images)
+{
+  std::vector<std::uint32_t> colors;
+  if (!images.color.empty())
+    for (const auto& bgr : cv::Mat_<cv::Vec3b> (images.color))
+      colors.push_back (std::uint32_t{bgr[2]} << 16U | std::uint32_t{bgr[1]} << 8U |
+                        bgr[0]);
+  return colors;
+}
+
 PointFile
 readPcdPoints (const std::string& path)
 {
@@ -33,38 +47,84 @@ readPcdPoints (const std::string& path)
   }
   RgbdImages images;
   takeColors (blob, fields, images);
-  if (!images.color.empty())
-    for (const auto& bgr : cv::Mat_<cv::Vec3b> (images.color))
-      result.colors.push_back (std::uint32_t{bgr[2]} << 16U |
-                               std::uint32_t{bgr[1]} << 8U | bgr[0]);
+  result.colors = packedColors (images);
   return result;
 }
 
-/** The lines "v x y z". */
+/** A line "v x y z", with a weight or a colour behind it: "w", "r g b", "r g b a". */
+struct ObjVertex {
+  std::vector<float> numbers;
+
+  Eigen::Vector3f
+  point () const
+  {
+    return {numbers[0], numbers[1], numbers[2]};
+  }
+  const float*
+  color () const
+  {
+    return numbers.size() < 6 ? nullptr : &numbers[3];
+  }
+};
+
+/** \param words of the line behind its "v" */
+ObjVertex
+parseVertex (const InputFile& file, std::istringstream& words)
+{
+  ObjVertex vertex;
+  std::string word;
+  while (words >> word && word.front() != '#')
+    if (!parseNumber (word, vertex.numbers.emplace_back()))
+      file.fail ("v", "'" + word + "' is no number");
+  if (vertex.numbers.size() < 3)
+    file.fail ("v",
+               "a vertex has " + std::to_string (vertex.numbers.size()) +
+                   " numbers where x y z are expected");
+  return vertex;
+}
+
+/** The same unit as for colours of clouds; white where a vertex has none. */
+std::vector<std::uint32_t>
+colorsOf (const std::vector<ObjVertex>& vertices)
+{
+  const auto count = static_cast<int> (vertices.size());
+  RgbdImages images;
+  for (int i = 0; i < count; ++i)
+    if (const float* rgb = vertices[i].color()) {
+      if (images.raw_color.empty())
+        images.raw_color = cv::Mat::zeros (1, count, CV_32FC3);
+      for (int k = 0; k < 3; ++k)
+        if (std::isfinite (rgb[k]))
+          images.raw_color.at<cv::Vec3f> (0, i)[2 - k] = rgb[k];
+    }
+  unifyColors ({&images});
+  std::vector<std::uint32_t> colors = packedColors (images);
+  for (int i = 0; i < count && !colors.empty(); ++i)
+    if (vertices[i].color() == nullptr)
+      colors[i] = kWhite;
+  return colors;
+}
+
+/** The vertices; many programs write colours behind them. */
 PointFile
 readObj (const std::string& path)
 {
   InputFile file (path);
   std::istringstream lines (file.text (std::uint64_t{1} << 32));
-  PointFile result;
+  std::vector<ObjVertex> vertices;
   std::string line;
   while (std::getline (lines, line)) {
     std::istringstream words (line);
     std::string word;
-    words >> word;
-    if (word != "v")
-      continue;
-    Eigen::Vector3f p;
-    for (int k = 0; k < 3; ++k) {
-      word.clear();
-      words >> word;
-      if (!parseNumber (word, p[k]))
-        file.fail ("v", "'" + word + "' is no number");
-    }
-    result.points.push_back (p);
+    if (words >> word && word == "v")
+      vertices.push_back (parseVertex (file, words));
   }
-  if (result.points.empty())
+  if (vertices.empty())
     file.fail ("v", "the file has no vertices");
+  PointFile result;
+  for (const ObjVertex& vertex : vertices)
+    result.points.push_back (vertex.point());
+  result.colors = colorsOf (vertices);
   return result;
 }
 
@@ -118,7 +178,7 @@ writeRegisteredCloud (const std::string& path,
     const Eigen::Vector3f& x = flow.warped[i];
     const Eigen::Vector3f d = x - source.points[i];
     bytes.append (reinterpret_cast<const char*> (x.data()), 3 * sizeof (float));
-    append (bytes, source.colors.empty() ? 0xFFFFFFU : source.colors[i]);
+    append (bytes, source.colors.empty() ? kWhite : source.colors[i]);
     bytes.append (reinterpret_cast<const char*> (d.data()), 3 * sizeof (float));
     append (bytes, static_cast<std::int32_t> (flow.part[i]));
     append (bytes, flow.confidence[i]);

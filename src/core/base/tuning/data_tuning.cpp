@@ -20,6 +20,7 @@ listValues (DataTuning& tuning, TunedValues& values)
       {"data.correlation.tile", &correlation.tile, 1, 1000},
       {"data.correlation.least_tile", &correlation.least_tile, 1, 1000},
       {"data.correlation.least_tiles", &correlation.least_tiles, 1, 1e6},
+      {"data.correlation.most_rows", &correlation.most_rows, 1, 1e6},
       {"data.body_noise.rigid", &body_noise.rigid, 1, 1e6},
       {"data.body_noise.samples", &body_noise.samples, 1, 1e7},
       {"data.body_noise.least_samples", &body_noise.least_samples, 1, 1e7},

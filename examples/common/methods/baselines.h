@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "method.h"
+#include "common/methods/method.h"
 
 namespace pcl_msf::tool {
 

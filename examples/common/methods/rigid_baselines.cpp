@@ -4,9 +4,9 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
-#include "baselines.h"
+#include "common/methods/baselines.h"
+#include "common/methods/lifting.h"
 #include "common/stop_watch.h"
-#include "lifting.h"
 
 #include <cmath>
 

@@ -6,9 +6,9 @@
 #include <opencv2/optflow.hpp>
 #endif
 
-#include "baselines.h"
+#include "common/methods/baselines.h"
+#include "common/methods/lifting.h"
 #include "common/stop_watch.h"
-#include "lifting.h"
 
 namespace pcl_msf::tool {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "lifting.h"
+#include "common/methods/lifting.h"
 
 #include <pcl_msf/evaluation/residuals.h>
 

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <opencv2/video/tracking.hpp>
 
-#include "baselines.h"
-#include "own_method.h"
+#include "common/methods/baselines.h"
+#include "common/methods/own_method.h"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "peak_memory.h"
+#include "common/methods/peak_memory.h"
 
 #include <cstdlib>
 #include <fstream>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "table_text.h"
+#include "common/table_text.h"
 
 #include "core/base/number_text.h"
 

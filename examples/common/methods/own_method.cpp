@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "own_method.h"
+#include "common/methods/own_method.h"
 
+#include "common/methods/lifting.h"
 #include "common/stop_watch.h"
-#include "lifting.h"
 #include <CLI/App.hpp>
 #include <pcl_msf/evaluation/motion_errors.h>
 #include <pcl_msf/scene_flow_estimator.h>

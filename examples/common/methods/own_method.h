@@ -3,7 +3,7 @@
 #pragma once
 
 #include "common/method_options.h"
-#include "method.h"
+#include "common/methods/method.h"
 #include <pcl_msf/oversegmentation.h>
 #include <pcl_msf/rgbd_frame.h>
 
