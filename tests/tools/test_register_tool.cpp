@@ -106,6 +106,29 @@ protected:
   TemporaryFolder folder_;
 };
 
+TEST_F (RegisterCloudsTool, BodiesAreDrawnAndFoundAgain)
+{
+  const ToolRun drawn =
+      run ("synthesize",
+           folder_ ("body") + " --body animal --points 3000 --angle 20 --noise 0.001");
+  EXPECT_EQ (drawn.status, 0) << drawn.err;
+  const ToolRun found =
+      run ("register",
+           folder_ ("body/source.ply") + " " + folder_ ("body/target.ply") +
+               " --quiet --output " + folder_ ("result"));
+  EXPECT_EQ (found.status, 0) << found.err;
+  const auto truth = io::readPoints (folder_ ("body/truth.ply")).points;
+  const auto warped = io::readPoints (folder_ ("result/warped.ply")).points;
+  ASSERT_EQ (warped.size(), truth.size());
+  double sum = 0.0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    sum += (warped[i] - truth[i]).norm();
+  EXPECT_LT (sum / static_cast<double> (truth.size()), 0.01);
+  const ToolRun refused = run ("synthesize", folder_ ("no") + " --body animal --cut 2");
+  EXPECT_EQ (refused.status, 1);
+  EXPECT_THAT (refused.err, HasSubstr ("cut: must be in [0, 0.9]"));
+}
+
 TEST_F (RegisterCloudsTool, ReadsAnyDialectAndNamesWhatCannotBeWritten)
 {
   const std::string clouds = writeClouds (" --width 160 --height 120");

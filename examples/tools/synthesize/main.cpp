@@ -9,11 +9,13 @@
 #include "common/tool_main.h"
 #include <CLI/App.hpp>
 #include <pcl_msf/errors.h>
+#include <pcl_msf/synthetic/body_clouds.h>
 #include <pcl_msf/synthetic/sequence_writer.h>
 #include <pcl_msf/synthetic/synthetic_sequence.h>
 
 #include <cctype>
 #include <cstdio>
+#include <optional>
 #include <regex>
 
 namespace {
@@ -28,11 +30,14 @@ struct SynthesizeOptions {
   std::string folder;
   SequenceOptions sequence;
   SequenceWriterOptions writing;
+  std::optional<BodyKind> body; ///< clouds of it instead of a sequence
+  BodyOptions drawing;
 };
 
 constexpr const char* kSummary =
     "Renders an RGB-D sequence with exact scene flow, optical flow,\n"
-    "visibility, labels and poses.";
+    "visibility, labels and poses; or draws two clouds of an articulated body with\n"
+    "the truth of every point, parts and joints (--body).";
 
 void
 addSceneOptions (CLI::App& app, SequenceOptions& s)
@@ -89,12 +94,30 @@ addWritingOptions (CLI::App& app, SequenceWriterOptions& w)
 }
 
 void
+addBodyOptions (CLI::App& app, SynthesizeOptions& o)
+{
+  Words<std::optional<BodyKind>> bodies{{"none", std::nullopt}};
+  for (const BodyKind body : allBodies())
+    bodies.emplace_back (toString (body), body);
+  beginGroup (app, "Clouds of a body, without a grid (with --seed)");
+  addWord<std::optional<BodyKind>> (app, "--body", "which", o.body, bodies);
+  BodyOptions& b = o.drawing;
+  addNumber (app, "--points", "N", "of each cloud", b.points);
+  addNumber (app, "--angle", "DEG", "that a joint turns by, at the most", b.angle);
+  addNumber (app, "--noise", "M", "metres a coordinate, on both", b.noise);
+  addNumber (
+      app, "--outliers", "SHARE", "of the points, besides in the target", b.outliers);
+  addNumber (app, "--cut", "SHARE", "of the target, cut off", b.cut);
+}
+
+void
 declareOptions (CLI::App& app, SynthesizeOptions& options)
 {
   addText (app, "FOLDER", "PATH", "for the sequence", options.folder)->required();
   addSceneOptions (app, options.sequence);
   addCameraEffects (app, options.sequence.effects);
   addWritingOptions (app, options.writing);
+  addBodyOptions (app, options);
 }
 
 /** Version 0.1.0 spelled options "-motion_pixels"; both ways are understood. */
@@ -116,6 +139,8 @@ withTwoDashes (int argc, const char* const* argv)
 std::string
 groupOf (const SynthesizeOptions& options)
 {
+  if (options.body)
+    return "body";
   switch (options.writing.layout) {
   case SequenceLayout::Cases:
     return "cases";
@@ -130,6 +155,8 @@ groupOf (const SynthesizeOptions& options)
 std::string
 patternOf (const SynthesizeOptions& options)
 {
+  if (options.body)
+    return "(source|target|truth)\\.ply|(labels|poses|joints)\\.txt";
   const std::string scene = toString (options.sequence.scene);
   switch (options.writing.layout) {
   case SequenceLayout::Cases:
@@ -156,10 +183,33 @@ prepare (const SynthesizeOptions& options, OutputFolder& output)
   });
 }
 
+void
+drawBody (const SynthesizeOptions& options)
+{
+  BodyOptions drawing = options.drawing;
+  drawing.body = *options.body;
+  drawing.seed = options.sequence.seed;
+  const BodyClouds clouds = synthesizeBody (drawing);
+  OutputFolder output (options.folder, kProgram, groupOf (options));
+  prepare (options, output);
+  writeBody (clouds, output.stage());
+  throwIfInterrupted();
+  output.finish();
+  std::printf ("%zu and %zu points of a body, %s, written to %s\n",
+               clouds.source.size(),
+               clouds.target.size(),
+               toString (drawing.body),
+               options.folder.c_str());
+}
+
 int
 run (const SynthesizeOptions& given)
 {
   SynthesizeOptions options = given;
+  if (options.body) {
+    drawBody (options);
+    return 0;
+  }
   { // refused before the work
     OutputFolder output (options.folder, kProgram, groupOf (options));
     prepare (options, output);

@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 namespace pcl_msf {
 
@@ -53,6 +55,13 @@ FeatureTree::nearest (const Eigen::Vector3f& point,
                       int hint) const
 {
   return tree_.nearest (featureOf (point, normal, normal_length_).data(), hint).index;
+}
+
+double
+Coverage::shareOf (const std::vector<char>& flags)
+{
+  return static_cast<double> (std::count (flags.begin(), flags.end(), 1)) /
+         static_cast<double> (std::max<std::size_t> (1, flags.size()));
 }
 
 void
@@ -111,23 +120,28 @@ MatchTarget::weight (const MovedPoints& moved,
                      const MatchRules& rules) const
 {
   const double facing = std::max (0.0f, moved.normals[i].dot (surface_.normals[j]));
+  const Eigen::Vector3f d = moved.points[i] - surface_.points[j];
   const double s = rules.distance * rules.distance;
-  const double g = s / (s + (moved.points[i] - surface_.points[j]).squaredNorm());
+  double g = s / (s + d.squaredNorm());
+  if (rules.plane > 0.0) {
+    const double off = d.dot (surface_.normals[j]);
+    g *= rules.plane * rules.plane / (rules.plane * rules.plane + off * off);
+  }
   return g * g * facing * facing;
 }
 
-/** Mean of score (moved point, target's point, is it the moved one's match?) over the
- * matches of the moved points and over those of the samples; 0 without a match. */
-template <typename Score>
-std::pair<double, double>
-MatchTarget::meanScores (const MovedPoints& moved,
-                         const MatchRules& rules,
-                         int threads,
-                         const Score& score)
+/** score (moved point, target's point, is it the moved one's match?) of the matches of
+ * the moved points and of those of the samples; 0 without a match. */
+template <typename Value, typename Score>
+std::pair<std::vector<Value>, std::vector<Value>>
+MatchTarget::scores (const MovedPoints& moved,
+                     const MatchRules& rules,
+                     int threads,
+                     const Score& score)
 {
   prepare (moved, rules.normal_length, true);
-  std::vector<double> forward (moved.points.size(), 0.0);
-  std::vector<double> backward (samples_.size(), 0.0);
+  std::vector<Value> forward (moved.points.size(), Value{0});
+  std::vector<Value> backward (samples_.size(), Value{0});
   parallelFor (threads, static_cast<int> (forward.size()), 128, [&] (int i) {
     if (const int j = forwardMatch (moved, i); j >= 0)
       forward[i] = score (i, j, true);
@@ -136,11 +150,7 @@ MatchTarget::meanScores (const MovedPoints& moved,
     if (const int i = backwardMatch (s); i >= 0)
       backward[s] = score (i, samples_[s], false);
   });
-  const auto mean = [] (const std::vector<double>& scores) {
-    return std::accumulate (scores.begin(), scores.end(), 0.0) /
-           static_cast<double> (std::max<std::size_t> (1, scores.size()));
-  };
-  return {mean (forward), mean (backward)};
+  return {std::move (forward), std::move (backward)};
 }
 
 std::vector<PointPull>
@@ -187,9 +197,15 @@ MatchTarget::pulls (const MovedPoints& moved, const MatchRules& rules, int threa
 std::pair<double, double>
 MatchTarget::explained (const MovedPoints& moved, const MatchRules& rules, int threads)
 {
-  return meanScores (moved, rules, threads, [&] (int i, int j, bool forward) {
-    return forward && surface_.border[j] ? 0.0 : weight (moved, i, j, rules);
-  });
+  const auto [forward, backward] =
+      scores<double> (moved, rules, threads, [&] (int i, int j, bool forward) {
+        return forward && surface_.border[j] ? 0.0 : weight (moved, i, j, rules);
+      });
+  const auto mean = [] (const std::vector<double>& weights) {
+    return std::accumulate (weights.begin(), weights.end(), 0.0) /
+           static_cast<double> (std::max<std::size_t> (1, weights.size()));
+  };
+  return {mean (forward), mean (backward)};
 }
 
 std::vector<float>
@@ -212,16 +228,19 @@ MatchTarget::distances (const MovedPoints& moved,
   return result;
 }
 
-std::pair<double, double>
+Coverage
 MatchTarget::covered (const MovedPoints& moved,
                       const MatchRules& rules,
                       double most,
                       int threads)
 {
-  return meanScores (moved, rules, threads, [&] (int i, int j, bool) {
-    const bool near = (moved.points[i] - surface_.points[j]).norm() < most;
-    return near && moved.normals[i].dot (surface_.normals[j]) > 0.0f ? 1.0 : 0.0;
-  });
+  Coverage coverage;
+  std::tie (coverage.moved, coverage.samples) =
+      scores<char> (moved, rules, threads, [&] (int i, int j, bool) {
+        const bool near = (moved.points[i] - surface_.points[j]).norm() < most;
+        return near && moved.normals[i].dot (surface_.normals[j]) > 0.0f;
+      });
+  return coverage;
 }
 
 std::vector<PointPair>

@@ -28,12 +28,34 @@ struct PointPull {
 /** \brief How points are matched. Lengths in the unit of the points. */
 struct MatchRules {
   double distance{0.1};      ///< scale of the robust weight
+  double plane{0.0};         ///< of another one on the distance to the plane; 0 = none
   double normal_length{0.1}; ///< what a difference of normals of 1 counts as
   double isotropy{0.0};      ///< share of point-to-point in point-to-plane
   double least{0.0};         ///< robust weight of a tight pair
   double mutual{0.0};        ///< scale of the way there and back; 0 = unused
   double backward{1.0};      ///< weight of the target's points' own matches
   bool borders{false};       ///< may a match lie on the target's border?
+};
+
+/** \brief Which points of two clouds lie on the other one. */
+struct Coverage {
+  std::vector<char> moved;
+  std::vector<char> samples;
+
+  double
+  movedShare () const
+  {
+    return shareOf (moved);
+  }
+  double
+  samplesShare () const
+  {
+    return shareOf (samples);
+  }
+
+private:
+  static double
+  shareOf (const std::vector<char>& flags);
 };
 
 /** \brief Points with normals, searched by both. */
@@ -83,9 +105,9 @@ public:
              double most,
              int threads);
 
-  /** \brief Shares of the moved points, and of the target's samples, that have one of
-   * the others within the distance that faces them. */
-  std::pair<double, double>
+  /** \brief The moved points, and the target's samples, that have one of the others
+   * within the distance that faces them. */
+  Coverage
   covered (const MovedPoints& moved, const MatchRules& rules, double most, int threads);
 
   /** \brief Pairs that are each other's nearest, within the distance and facing. */
@@ -101,12 +123,12 @@ private:
   backwardMatch (int sample);
   double
   weight (const MovedPoints& moved, int i, int j, const MatchRules& rules) const;
-  template <typename Score>
-  std::pair<double, double>
-  meanScores (const MovedPoints& moved,
-              const MatchRules& rules,
-              int threads,
-              const Score& score);
+  template <typename Value, typename Score>
+  std::pair<std::vector<Value>, std::vector<Value>>
+  scores (const MovedPoints& moved,
+          const MatchRules& rules,
+          int threads,
+          const Score& score);
 
   const Surface& surface_;
   std::vector<int> samples_;   ///< points that look for matches themselves

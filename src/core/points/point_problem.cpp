@@ -91,6 +91,10 @@ PointProblem::fillSegment (int segment, bool with_jacobian)
 void
 PointProblem::PrepareForEvaluation (bool evaluate_jacobians, bool)
 {
+  // After its last step Ceres asks for derivatives that nobody will use; the cost of
+  // that place is there already.
+  if (evaluate_jacobians && derivatives_-- <= 0)
+    return;
   parallelFor (threads_, segments_.size(), 4, [&] (int k) {
     fillSegment (k, evaluate_jacobians);
   });
@@ -133,6 +137,7 @@ PointProblem::step (const std::vector<PointPull>& pulls, int iterations)
   options.initial_trust_region_radius = 1e6;
   options.logging_type = ceres::SILENT;
   options.num_threads = 1; // the sweep is parallel; the rest is small
+  derivatives_ = iterations;
   ceres::Solver::Summary summary;
   ceres::Solve (options, problem_.get(), &summary);
   for (int k = 0; k < segments_.size(); ++k) {

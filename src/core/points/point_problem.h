@@ -62,6 +62,7 @@ private:
   std::vector<CenteredMotion> motions_;      ///< before the step
   std::vector<std::array<double, 6>> steps_; ///< the solver's unknowns
   std::vector<double> scales_;               ///< per link
+  int derivatives_{0};                       ///< that the present solve may still need
   std::vector<std::vector<Share>> shares_;   ///< per segment, of the samples
   std::vector<CompressedBlock> blocks_;      ///< per segment
   const std::vector<PointPull>* pulls_{nullptr};

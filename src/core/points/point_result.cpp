@@ -5,6 +5,7 @@
 #include "core/base/number_text.h"
 #include "core/base/parallel_for.h"
 #include "core/points/cloud_joints.h"
+#include "core/points/loose_ends.h"
 #include "core/points/rigid_parts.h"
 
 #include <algorithm>
@@ -69,20 +70,55 @@ addJoints (const PointClouds& clouds,
   }
 }
 
+/** How well the clouds lie on each other. \return the confidence per working point */
+std::vector<float>
+judge (const PointClouds& clouds,
+       PointSolve& solve,
+       const MovedPoints& moved,
+       const PointResultTuning& tuning,
+       int threads,
+       CloudFlow& flow)
+{
+  const Surface& surface = clouds.source.surface;
+  MatchRules rules;
+  rules.normal_length = tuning.normal_length;
+  const double spacing =
+      std::max (surface.median_spacing, clouds.target.surface.median_spacing);
+  const double limit = tuning.found * spacing;
+  MatchTarget& target = solve.fineTarget();
+  const Coverage coverage = target.covered (moved, rules, limit, threads);
+  flow.explained_source = coverage.movedShare();
+  flow.explained_target = coverage.samplesShare();
+  std::vector<Eigen::Vector3f> samples;
+  for (const int i : clouds.source.samples)
+    samples.push_back (moved.points[i]);
+  flow.loose_target =
+      largestLooseEnd (clouds,
+                       samples,
+                       coveredPlaces (clouds.target.thin, moved, limit, threads),
+                       tuning.border);
+  flow.gap = meanGap (solve.segments(), solve.poses());
+  std::vector<float> confidence = target.distances (moved, rules, limit, threads);
+  const std::vector<float> stretch = stretchOf (surface, moved.points, threads);
+  for (std::size_t i = 0; i < confidence.size(); ++i)
+    confidence[i] =
+        (1.0f - confidence[i] / static_cast<float> (limit)) / (1.0f + stretch[i]);
+  return confidence;
+}
+
 /** Every given point goes as the nearest working point; that knows its part's pose or,
  * where motions blend, its own shift. */
 void
 carryAll (const PointClouds& clouds,
           const RigidParts& parts,
           const std::vector<Eigen::Vector3f>& source,
-          const std::vector<Eigen::Vector3f>& target_points,
           const std::vector<float>& confidence,
           int threads,
           CloudFlow& flow)
 {
   const Surface& surface = clouds.source.surface;
   const PointTree tree (surface.points);
-  const PointTree target_tree (target_points);
+  const PointTree target_tree (clouds.target.surface.points);
   const std::size_t n = source.size();
   flow.warped.assign (n, Eigen::Vector3f::Constant (kUnknown));
   flow.part.assign (n, -1);
@@ -122,22 +158,10 @@ makeCloudFlow (const PointClouds& clouds,
   const RigidParts parts = findParts (clouds, solve, merge, tuning.parts, threads);
   addParts (clouds, parts, flow);
   addJoints (clouds, parts, tuning.result.joint_share, flow);
-  MatchRules rules;
-  rules.normal_length = tuning.result.normal_length;
   const MovedPoints moved{parts.points, parts.normals};
-  const double limit =
-      tuning.result.found * std::max (clouds.source.surface.median_spacing,
-                                      clouds.target.surface.median_spacing);
-  const std::vector<float> away =
-      solve.fineTarget().distances (moved, rules, limit, threads);
-  std::vector<float> confidence;
-  for (const float d : away)
-    confidence.push_back (1.0f - d / static_cast<float> (limit));
-  carryAll (
-      clouds, parts, source, clouds.target.surface.points, confidence, threads, flow);
-  const auto [s, t] = solve.fineTarget().covered (moved, rules, limit, threads);
-  flow.explained_source = s;
-  flow.explained_target = t;
+  const std::vector<float> confidence =
+      judge (clouds, solve, moved, tuning.result, threads, flow);
+  carryAll (clouds, parts, source, confidence, threads, flow);
   return flow;
 }
 
@@ -167,6 +191,19 @@ noteOutcome (const SolveProgress& progress,
     report.stop_reason = StopReason::DifferentPlaces;
     report.message = "parts of both clouds are not found on each other: give a start "
                      "that is nearer, or clouds that show the same";
+  }
+  else if (flow.loose_target > tuning.loose) {
+    report.stop_reason = StopReason::DifferentPlaces;
+    report.message =
+        fixedText (100.0 * flow.loose_target, 1) +
+        " % of the target in one piece is bare though the source's surface goes on "
+        "there: a limb lies elsewhere; give a start that is nearer";
+  }
+  else if (flow.gap > tuning.gap) {
+    report.stop_reason = StopReason::DifferentPlaces;
+    report.message = "the source is torn or twisted: its segments are " +
+                     fixedText (flow.gap, 2) +
+                     " of their radius apart, mean; give a start that is nearer";
   }
   report.converged = report.stop_reason == StopReason::Converged;
 }

@@ -3,6 +3,7 @@
 #include "core/points/point_solve.h"
 
 #include "core/base/parallel_for.h"
+#include "core/points/loose_ends.h"
 #include "core/points/segment_start.h"
 #include "core/surface/thinning.h"
 
@@ -148,7 +149,7 @@ PointSolve::match (const PointStage& stage,
 
 /** From where the clouds lie on each other, by the distances along the surfaces. */
 std::vector<PointPair>
-PointSolve::isometricPairs (double least_agreement)
+PointSolve::isometricPairs (const LimbAnchors& anchors)
 {
   const MovedPoints moved = movePoints (samples_, poses_, threads_);
   const std::vector<PointPair> tight =
@@ -159,10 +160,10 @@ PointSolve::isometricPairs (double least_agreement)
   for (const PointPair& pair : tight)
     places.push_back (pair.source);
   std::vector<PointPair> candidates;
-  for (const int place : spreadPoints (source.points, places, tuning_.limbs.anchors))
+  for (const int place : spreadPoints (source.points, places, anchors.count))
     candidates.push_back (tight[place]);
   const SurfaceIsometry isometry (
-      source, target, candidates, 1.0, least_agreement, tuning_.isometry, threads_);
+      source, target, candidates, 1.0, anchors.agreement, tuning_.isometry, threads_);
   return isometry.match (everySo (source.size(), tuning_.limbs.source_points),
                          everySo (target.size(), tuning_.limbs.target_points),
                          threads_);
@@ -220,6 +221,22 @@ PointSolve::explained()
   return source + target;
 }
 
+/** What the pairs are wrong about is found by matches from far. \return may it lead to
+ * more than what was found before? */
+bool
+PointSolve::startAnew (const std::vector<PointPair>& pairs)
+{
+  enter (tuning_.limbs.cut);
+  followPairs (pairs);
+  PointStage stage = tuning_.stages[tuning_.limbs.cut];
+  stage.from = std::max (stage.from, tuning_.limbs.match_from);
+  match (stage, coarse_, pairs);
+  const double now = explained();
+  const bool hopeful = now >= (1.0 - tuning_.limbs.hopeless) * promised_;
+  promised_ = std::max (promised_, now);
+  return hopeful;
+}
+
 /** Share of the pairs that lie elsewhere. */
 double
 PointSolve::disputed (const std::vector<PointPair>& pairs) const
@@ -236,59 +253,74 @@ PointSolve::disputed (const std::vector<PointPair>& pairs) const
   return all > 0.0 ? elsewhere / all : 0.0;
 }
 
-/** What the pairs are wrong about is found by matches from far. */
-void
-PointSolve::startAnew (const std::vector<PointPair>& pairs)
-{
-  enter (tuning_.limbs.cut);
-  followPairs (pairs);
-  PointStage stage = tuning_.stages[tuning_.limbs.cut];
-  stage.from = std::max (stage.from, tuning_.limbs.match_from);
-  match (stage, coarse_, pairs);
-}
-
-/** Is all of one cloud on the other, where the distances along them say it is? */
+/** Is all of one cloud on the other, and no limb where it should not be? */
 bool
-PointSolve::settled (const std::vector<PointPair>& pairs)
+PointSolve::allCovered()
 {
-  if (disputed (pairs) > tuning_.limbs.disputed)
+  const MovedPoints moved = movePoints (samples_, poses_, threads_);
+  const double spacing = std::max (clouds_.source.surface.median_spacing,
+                                   clouds_.target.surface.median_spacing);
+  const double near = std::max (tuning_.result.found * spacing,
+                                2.0 * clouds_.source.thin.median_spacing);
+  const Coverage coverage =
+      fine_.covered (moved, tightRules (tuning_.match), near, threads_);
+  if (1.0 - std::max (coverage.movedShare(), coverage.samplesShare()) >
+          tuning_.limbs.uncovered ||
+      meanGap (segments(), poses_) > tuning_.result.gap)
     return false;
-  const double near = tuning_.result.found * clouds_.target.surface.median_spacing;
-  const auto [source, target] = fine_.covered (movePoints (samples_, poses_, threads_),
-                                               tightRules (tuning_.match),
-                                               std::max (near, tuning_.match.tight),
-                                               threads_);
-  return 1.0 - std::max (source, target) < tuning_.limbs.uncovered;
+  const std::vector<char> places =
+      coveredPlaces (clouds_.target.thin, moved, near, threads_);
+  return largestLooseEnd (clouds_, moved.points, places, tuning_.result.border) <
+         tuning_.result.loose;
 }
 
-/** Starts anew from what the distances along the surfaces say, with many anchors or
- * with the surest alone, as long as one or the other explains more. */
+/** One fresh start, kept when it explains more. \return does it explain much more? */
+bool
+PointSolve::tryAgain (const std::vector<PointPair>& pairs)
+{
+  const int last = static_cast<int> (cuts_.size()) - 1;
+  const std::vector<RigidPose> before = poses_;
+  const double reached = explained();
+  double now = 0.0;
+  const bool hopeful = startAnew (pairs);
+  enter (last);
+  if (hopeful) {
+    match (tuning_.stages[last], fine_);
+    now = explained();
+  }
+  if (now < reached)
+    poses_ = before;
+  return now >= (1.0 + tuning_.limbs.gain) * reached;
+}
+
+/** Starts anew from what the distances along the surfaces say, with many anchors, fewer
+ * or the surest alone, until each has led to nothing more. What is covered already is
+ * left as it is when the distances agree, or a fresh start has not made it better. */
 void
 PointSolve::seekLimbs()
 {
-  const int last = static_cast<int> (cuts_.size()) - 1;
-  const std::array<double, 2> agreements{tuning_.isometry.agreement,
-                                         tuning_.isometry.sure_agreement};
+  const LimbTuning& limbs = tuning_.limbs;
+  const double agreement = tuning_.isometry.agreement;
+  const std::array<LimbAnchors, 3> kinds{
+      LimbAnchors{limbs.fewer_anchors, agreement},
+      LimbAnchors{limbs.anchors, tuning_.isometry.sure_agreement},
+      LimbAnchors{limbs.anchors, agreement}};
   std::size_t failures = 0; // one after the other
-  std::size_t which = 0;
-  for (int round = 0; round < tuning_.limbs.rounds && !progress_.stopped(); ++round) {
-    const std::vector<PointPair> pairs = isometricPairs (agreements[which]);
-    if (settled (pairs))
+  std::size_t kind = 0;
+  for (int round = 0; round < limbs.rounds && !progress_.stopped(); ++round) {
+    const bool covered = allCovered();
+    if (covered && failures > 0)
       break;
-    const std::vector<RigidPose> before = poses_;
-    const double reached = explained();
-    startAnew (pairs);
-    enter (last);
-    match (tuning_.stages[last], fine_);
-    const double now = explained();
-    if (now < reached)
-      poses_ = before;
-    const bool better = now >= (1.0 + tuning_.limbs.gain) * reached;
-    failures = better ? 0 : failures + 1;
-    if (failures >= agreements.size())
+    const std::vector<PointPair> pairs = isometricPairs (kinds[kind]);
+    if (covered && disputed (pairs) < limbs.disputed)
       break;
-    if (!better)
-      which = 1 - which;
+    if (tryAgain (pairs)) {
+      failures = 0;
+      continue;
+    }
+    if (++failures >= kinds.size())
+      break;
+    kind = (kind + 1) % kinds.size();
   }
 }
 
@@ -299,6 +331,8 @@ PointSolve::run()
   for (int c = 0; c <= last && !progress_.stopped(); ++c) {
     enter (c);
     match (tuning_.stages[c], c == last ? fine_ : coarse_);
+    if (c == tuning_.limbs.cut)
+      promised_ = explained();
   }
   seekLimbs();
   if (cut_ != last) // stopped

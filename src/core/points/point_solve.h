@@ -19,6 +19,12 @@ struct SampleCut {
   std::vector<std::vector<Membership>> members; ///< per sample
 };
 
+/** \brief Which anchors a fresh start relies on. */
+struct LimbAnchors {
+  int count;        ///< pairs that may be
+  double agreement; ///< of one with the others, mean, at least
+};
+
 /** \brief Finds a motion per segment of the source, coarse to fine, then again with
  * limbs that moved far started from what their distances along the surface say. */
 class PointSolve {
@@ -65,7 +71,7 @@ private:
          MatchTarget& target,
          const std::vector<PointPair>& pairs = {});
   std::vector<PointPair>
-  isometricPairs (double least_agreement);
+  isometricPairs (const LimbAnchors& anchors);
   void
   addPairs (const MovedPoints& moved,
             const std::vector<PointPair>& pairs,
@@ -74,12 +80,14 @@ private:
             std::vector<PointPull>& pulls) const;
   void
   followPairs (const std::vector<PointPair>& pairs);
-  void
+  bool
   startAnew (const std::vector<PointPair>& pairs);
   double
   disputed (const std::vector<PointPair>& pairs) const;
   bool
-  settled (const std::vector<PointPair>& pairs);
+  allCovered ();
+  bool
+  tryAgain (const std::vector<PointPair>& pairs);
   void
   seekLimbs ();
   double
@@ -93,6 +101,7 @@ private:
   int cut_{0};
   PointSamples samples_;
   std::vector<RigidPose> poses_; ///< per segment of the present cut
+  double promised_{0.0}; ///< the most that was explained where fresh starts begin
   MatchTarget coarse_;
   MatchTarget fine_;
 };

@@ -10,10 +10,13 @@ namespace pcl_msf {
 
 namespace {
 
-using Vector12 = Eigen::Matrix<double, 12, 1>;
+using Vector12 = Eigen::Matrix<double, 12, 1, Eigen::DontAlign>;
 
 constexpr int kSteps = 6;
-constexpr double kSettled = 1e-9; // step, radians and units
+constexpr double kDamping = 1e-9; // of the quadratic's trace
+constexpr double kMoreDamping = 1e3;
+constexpr double kRounding = 1e-12; // of the sum that the cost is the rest of
+constexpr double kSettled = 1e-9;   // step, radians and units
 
 Vector12
 numbersOf (const Eigen::Matrix3d& r, const Eigen::Vector3d& t)
@@ -63,8 +66,21 @@ RigidMoments::add (const RigidMoments& other)
 double
 RigidMoments::cost (const RigidPose& pose) const
 {
-  const Vector12 z = numbersOf (pose.rotation(), pose.translation());
-  return std::max (0.0, 0.5 * z.dot (h_ * z) - v_.dot (z) + c_);
+  return std::max (0.0, valueAt (numbersOf (pose.rotation(), pose.translation())));
+}
+
+double
+RigidMoments::valueAt (const Numbers& z) const
+{
+  return 0.5 * z.dot (h_ * z) - v_.dot (z) + c_;
+}
+
+/** Over the turn about the origin of the target's frame and the shift. */
+Matrix6
+RigidMoments::quadratic (const Numbers& z) const
+{
+  const Eigen::Matrix<double, 12, 6> d = derivative (z);
+  return d.transpose() * h_ * d;
 }
 
 RigidPose
@@ -72,18 +88,30 @@ RigidMoments::solve (const RigidPose& start, Matrix6* information) const
 {
   Eigen::Matrix3d r = start.rotation();
   Eigen::Vector3d t = start.translation();
-  Matrix6 a;
+  Vector12 z = numbersOf (r, t);
+  Matrix6 a = quadratic (z);
+  double reached = valueAt (z);
+  double damping = kDamping;
   for (int step = 0; step < kSteps; ++step) {
-    const Vector12 z = numbersOf (r, t);
-    const Eigen::Matrix<double, 12, 6> d = derivative (z);
-    a = d.transpose() * h_ * d;
-    const Vector6 g = d.transpose() * (h_ * z - v_);
+    const Vector6 g = derivative (z).transpose() * (h_ * z - v_);
     Matrix6 damped = a;
-    damped.diagonal().array() += 1e-9 * a.trace() + 1e-15;
+    damped.diagonal().array() += damping * a.trace() + 1e-15;
     const Vector6 x = -Eigen::LDLT<Matrix6> (damped).solve (g);
     const Eigen::Matrix3d turn = rotationFromVector (x.head<3>());
-    r = turn * r;
-    t = turn * t + x.tail<3>();
+    const Eigen::Matrix3d next_r = turn * r;
+    const Eigen::Vector3d next_t = turn * t + x.tail<3>();
+    const Vector12 next = numbersOf (next_r, next_t);
+    const double now = valueAt (next);
+    // Few pulls leave turns free that a step of Newton's would be lost in.
+    if (!(now <= reached + kRounding * std::abs (c_))) {
+      damping *= kMoreDamping;
+      continue;
+    }
+    r = next_r;
+    t = next_t;
+    z = next;
+    a = quadratic (z);
+    reached = now;
     if (x.norm() < kSettled)
       break;
   }

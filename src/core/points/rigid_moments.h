@@ -48,8 +48,15 @@ public:
   }
 
 private:
+  using Numbers = Eigen::Matrix<double, 12, 1, Eigen::DontAlign>;
+
+  double
+  valueAt (const Numbers& z) const;
+  Matrix6
+  quadratic (const Numbers& z) const;
+
   Eigen::Matrix<double, 12, 12, Eigen::DontAlign> h_;
-  Eigen::Matrix<double, 12, 1, Eigen::DontAlign> v_;
+  Numbers v_;
   double c_{0.0};
   double weight_{0.0};
 };

@@ -191,8 +191,9 @@ private:
   polish ()
   {
     const MovedPoints moved = movePoints (all_, poses_, threads_);
-    const std::vector<PointPull> pulls =
-        target_.pulls (moved, fineRules (spacing_, tuning_), threads_);
+    MatchRules rules = fineRules (spacing_, tuning_);
+    rules.plane = tuning_.outlying * std::sqrt (variance_);
+    const std::vector<PointPull> pulls = target_.pulls (moved, rules, threads_);
     moments_.assign (part_poses_.size(), {});
     for (int i = 0; i < source_.size(); ++i)
       moments_[part_[i]].add (source_.points[i].cast<double>(), pulls[i], 1.0);

@@ -83,7 +83,9 @@ writeCloudReport (const std::string& path,
             {"message", report.message},
             {"iterations", report.iterations},
             {"explained_source", flow.explained_source},
-            {"explained_target", flow.explained_target}};
+            {"explained_target", flow.explained_target},
+            {"loose_target", flow.loose_target},
+            {"gap", flow.gap}};
   json["seconds"] = {{"total", total_seconds},
                      {"load", load_seconds},
                      {"segment", report.segment_seconds},

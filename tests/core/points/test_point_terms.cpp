@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cmath>
+#include <random>
 
 namespace {
 
@@ -119,6 +120,38 @@ TEST (RigidMoments, FindThePoseThatPullsFrom)
   for (int k = 0; k < 6; ++k)
     off.parameters[k] += x[k];
   EXPECT_NEAR (moments.cost (off) / (0.5 * x.dot (information * x)), 1.0, 1e-2);
+}
+
+/** Points at nearly one place, faintly pulled to others. */
+RigidMoments
+faintMoments (unsigned seed)
+{
+  std::mt19937 random (seed);
+  const auto uniform = [&random] { return random() / 4294967296.0 - 0.5; };
+  const auto anywhere = [&uniform] {
+    Eigen::Vector3d p;
+    for (int k = 0; k < 3; ++k)
+      p[k] = uniform();
+    return p;
+  };
+  RigidMoments moments;
+  for (int i = 0; i < 3; ++i) {
+    PointPull pull;
+    const Eigen::Vector3d normal = anywhere().normalized();
+    pull.add (anywhere(), normal, 1e-9, 0.01);
+    moments.add (Eigen::Vector3d (0.5, -0.6, 0.1) + 1e-3 * anywhere(), pull, 1.0);
+  }
+  return moments;
+}
+
+TEST (RigidMoments, AreNotLostWhereFewPullsLeaveTurnsFree)
+{
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    const RigidMoments moments = faintMoments (seed);
+    const RigidPose found = moments.solve (RigidPose());
+    EXPECT_LE (moments.cost (found), moments.cost (RigidPose())) << seed;
+    EXPECT_LT (found.translation().norm(), 5.0) << seed;
+  }
 }
 
 TEST (PartMerging, JoinsWhatMovesAsOneAndNoMore)

@@ -45,8 +45,10 @@ limbValues (LimbTuning& limbs)
           {"points.limbs.hold", &limbs.hold, 0, 100},
           {"points.limbs.elsewhere", &limbs.elsewhere, 0, 10},
           {"points.limbs.disputed", &limbs.disputed, 0, 1},
+          {"points.limbs.hopeless", &limbs.hopeless, 0, 1},
           {"points.limbs.uncovered", &limbs.uncovered, 0, 1},
           {"points.limbs.anchors", &limbs.anchors, 3, 10000},
+          {"points.limbs.fewer_anchors", &limbs.fewer_anchors, 3, 10000},
           {"points.limbs.source_points", &limbs.source_points, 10, 1e6},
           {"points.limbs.target_points", &limbs.target_points, 10, 1e6},
           {"points.limbs.fit_rounds", &limbs.fit_rounds, 1, 100},
@@ -64,6 +66,7 @@ partValues (PointTuning& tuning)
           {"points.parts.free", &parts.free, 0, 1},
           {"points.parts.seam", &parts.seam, 0, 1e3},
           {"points.parts.polish", &parts.polish, 1, 100},
+          {"points.parts.outlying", &parts.outlying, 0, 1e6},
           {"points.parts.absorb", &parts.absorb, 0, 100},
           {"points.parts.worse", &parts.worse, 0, 100},
           {"points.parts.worse_share", &parts.worse_share, 0, 10},
@@ -77,7 +80,10 @@ partValues (PointTuning& tuning)
           {"points.result.normal_length", &result.normal_length, 0, 1},
           {"points.result.joint_share", &result.joint_share, 0, 1},
           {"points.result.unexplained", &result.unexplained, 0, 1},
-          {"points.result.least_source", &result.least_source, 0, 1}};
+          {"points.result.least_source", &result.least_source, 0, 1},
+          {"points.result.border", &result.border, 0, 100},
+          {"points.result.loose", &result.loose, 0, 1},
+          {"points.result.gap", &result.gap, 0, 100}};
 }
 
 } // namespace

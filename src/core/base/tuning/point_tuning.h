@@ -58,7 +58,7 @@ struct PointStage {
 
 /** \brief Limbs that moved far, started anew from distances along the surface. */
 struct LimbTuning {
-  int rounds{5};           ///< of starting anew, at the most
+  int rounds{6};           ///< of starting anew, at the most
   double gain{2e-3};       ///< of what is explained, for one more round
   int cut{2};              ///< the stage whose segments are started
   int steps{15};           ///< along the pairs
@@ -69,9 +69,12 @@ struct LimbTuning {
                            ///< keeps what the pairs are wrong about
   double hold{0.3};        ///< share of the pairs in these matches, at first
   double elsewhere{0.06};  ///< sizes: a pair this far apart disputes the motion
-  double disputed{0.003};  ///< share of the pairs that may do so without a fresh start
-  double uncovered{0.01};  ///< share of both clouds off the other that may be likewise
+  double disputed{0.04};   ///< share of the pairs that may do so without a fresh start
+  double hopeless{0.01};   ///< less of what was explained: a fresh start ends early
+  double uncovered{0.005}; ///< share of both clouds that may be off the other one
+                           ///< without a fresh start: more loses limbs
   int anchors{80};         ///< pairs that may be; more is slower
+  int fewer_anchors{50};   ///< when these have led to nothing
   int source_points{1000}; ///< points that are matched by isometry
   int target_points{2000}; ///< and those they are matched with
   int fit_rounds{5};       ///< of the robust fit of a segment to its pairs
@@ -84,12 +87,13 @@ struct PointPartTuning {
                             ///< parts
   double per_point{0.25};   ///< further, per point of the smaller part
   double rigid_share{0.02}; ///< of the points: a body of its own, else motions blend
-  double free{0.03};  ///< share of what holds a body: held less in a direction, its
-                      ///< seams hold it there
-  double seam{0.1};   ///< weight of an edge of a seam then
-  int polish{4};      ///< rounds of fitting the bodies' motions
-  int absorb{5};      ///< rounds of joining what fits a larger body as well
-  double worse{0.12}; ///< spacings that joining may cost
+  double free{0.03};    ///< share of what holds a body: held less in a direction, its
+                        ///< seams hold it there
+  double seam{0.1};     ///< weight of an edge of a seam then
+  int polish{4};        ///< rounds of fitting the bodies' motions
+  double outlying{2.5}; ///< deviations from the plane: scale of the weight then
+  int absorb{5};        ///< rounds of joining what fits a larger body as well
+  double worse{0.12};   ///< spacings that joining may cost
   double worse_share{0.1};    ///< and a share of the part's own distance
   int smoothing{2};           ///< rounds over neighbours when borders are drawn
   double floor{0.1};          ///< spacings: least deviation; planes are no better
@@ -106,6 +110,10 @@ struct PointResultTuning {
   double joint_share{0.02};   ///< of the points: a part that has joints
   double unexplained{0.02};   ///< of both clouds: something lies elsewhere
   double least_source{0.05};  ///< share of the source that must be found
+  double border{1.0};         ///< spacings of samples: so near a cut is at its border
+  double loose{0.02};         ///< share of the target in one piece that may be bare
+                              ///< without a cut in the source: more hides lost limbs
+  double gap{0.2};            ///< radii of a segment between neighbours, mean
 };
 
 /** \brief The solve on points. */
