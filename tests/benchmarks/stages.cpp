@@ -92,8 +92,7 @@ Pair (State& state, double Report::*stage)
       Oversegmentation::fromFrame (frames[0], segmentation, solver.threads);
   const SceneFlowEstimator estimator ({}, solver);
   for (auto _ : state) {
-    const Report report =
-        estimator.estimate (frames[0], frames[1], segments).report;
+    const Report report = estimator.estimate (frames[0], frames[1], segments).report;
     state.SetIterationTime (stage != nullptr
                                 ? report.*stage
                                 : report.start_seconds + report.solve_seconds +
