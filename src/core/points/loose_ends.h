@@ -10,7 +10,7 @@
 namespace pcl_msf {
 
 /** \brief Per point of a surface: is the nearest moved point within the distance, and
- * does it face the same way? */
+ * does it not face away? */
 std::vector<char>
 coveredPlaces (const Surface& surface,
                const MovedPoints& moved,
