@@ -22,7 +22,8 @@ struct PairData {
   std::optional<RigidPose> camera_motion; ///< of static points, current_from_reference
 };
 
-/** \brief Seconds of a run; NaN where a method has no such stage. */
+/** \brief Seconds of a run; NaN where a method has no such stage. Of optical flow,
+ * `solve` is the flow alone, the rest of `total` is lifting it. */
 struct StageSeconds {
   double total, frame, segment, start, solve, result;
 

@@ -23,7 +23,7 @@ struct CorrelationTuning {
   int tile{16};        ///< pixels of level 0: more than sensors' windows
   int least_tile{2};   ///< pixels of the level
   int least_tiles{12}; ///< that a median is taken of
-  int most_rows{10};   ///< of tiles that are looked at: more is slower
+  int most_rows{15};   ///< of tiles that are looked at: more is slower
 };
 
 /** \brief The noise that rigid bodies show; see "Rigid bodies are weighed by their own
