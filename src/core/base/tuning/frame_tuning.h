@@ -29,7 +29,7 @@ struct BrightnessTuning {
   double light_explained{0.7}; ///< of the median misfit may stay once such changes are
                                ///< allowed for: then light changed
   double least_light{0.001};   ///< intensity: and so much of it must go
-  int contrast_radius{8};      ///< pixels of a level: then its mean within is left out;
+  int contrast_radius{4};      ///< pixels of a level: then its mean within is left out;
                                ///< more keeps more, of light as well
 };
 
