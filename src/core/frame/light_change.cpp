@@ -9,6 +9,7 @@
 #include "core/base/opencv_threads.h"
 #include "core/base/order_statistics.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pcl_msf {
@@ -16,7 +17,7 @@ namespace pcl_msf {
 namespace {
 
 constexpr int kTerms = 23;
-using Terms = Eigen::Matrix<double, kTerms, 1>;
+using Terms = Eigen::Matrix<double, kTerms, 1, Eigen::DontAlign>;
 
 /** Functions of an intensity and its place. */
 Terms
@@ -34,12 +35,17 @@ termsAt (double i, double x, double y)
 /** What a gain and an offset leave of matched intensities. */
 class Misfits {
 public:
-  Misfits (const MatchedIntensities& matches, const BrightnessChange& exposure)
+  /** \param most pairs that are looked at, spread over all */
+  Misfits (const MatchedIntensities& matches,
+           const BrightnessChange& exposure,
+           std::size_t most)
   {
-    const std::size_t n = matches.reference.size();
+    const std::size_t all = matches.reference.size();
+    const std::size_t n = std::min (all, most);
     terms_.reserve (n);
     left_.reserve (n);
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const std::size_t i = k * all / n;
       const float in = matches.reference[i];
       terms_.push_back (termsAt (in, matches.x[i], matches.y[i]));
       left_.push_back (matches.current[i] - (exposure.gain * in + exposure.offset));
@@ -61,7 +67,7 @@ public:
   Terms
   explain (const Terms& amounts, double limit, double ridge) const
   {
-    Eigen::Matrix<double, kTerms, kTerms> a =
+    Eigen::Matrix<double, kTerms, kTerms, Eigen::DontAlign> a =
         ridge * Eigen::Matrix<double, kTerms, kTerms>::Identity();
     Terms b = Terms::Zero();
     for (std::size_t i = 0; i < left_.size(); ++i) {
@@ -75,7 +81,7 @@ public:
   }
 
 private:
-  std::vector<Terms, Eigen::aligned_allocator<Terms>> terms_;
+  std::vector<Terms> terms_;
   std::vector<double> left_;
 };
 
@@ -88,7 +94,7 @@ lightChanged (const MatchedIntensities& matches,
 {
   if (matches.reference.size() < static_cast<std::size_t> (tuning.min_pairs))
     return false;
-  const Misfits misfits (matches, exposure);
+  const Misfits misfits (matches, exposure, tuning.light_pairs);
   Terms amounts = Terms::Zero();
   const double before = misfits.medianBeyond (amounts);
   double after = before;
