@@ -34,8 +34,8 @@ public:
    * \param segments a label per source point, negative = takes no part and is unknown
    * in the result; empty = the surface is cut into segments. Given ones are used as
    * they are: each is rigid up to its border and in one part (`merge_bodies` tells
-   * whether several may share one); only those that touch hold together \throws
-   * InvalidInput naming the remedy */
+   * whether several may share one); those hold together that touch, or all but touch
+   * \throws InvalidInput naming the remedy */
   CloudFlow
   estimate (const std::vector<Eigen::Vector3f>& source,
             const std::vector<Eigen::Vector3f>& target,
