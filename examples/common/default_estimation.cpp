@@ -3,35 +3,11 @@
 #include "common/default_estimation.h"
 
 #include "common/command_line.h"
+#include "common/depth_points.h"
 #include "common/interruption.h"
 #include <pcl_msf/scene_flow_estimator.h>
 
-#include <cmath>
-#include <limits>
-
 namespace pcl_msf::tool {
-
-namespace {
-
-/** Points of a depth image. */
-cv::Mat
-backProject (const io::RgbdImages& images)
-{
-  cv::Mat points (images.depth.size(),
-                  CV_32FC3,
-                  cv::Scalar::all (std::numeric_limits<float>::quiet_NaN()));
-  for (int row = 0; row < points.rows; ++row)
-    for (int col = 0; col < points.cols; ++col) {
-      const float z = images.depth.at<float> (row, col);
-      if (!(z > 0.0F) || !std::isfinite (z))
-        continue;
-      const Eigen::Vector3f p = images.camera.backProject (col, row, z).cast<float>();
-      points.at<cv::Vec3f> (row, col) = {p.x(), p.y(), p.z()};
-    }
-  return points;
-}
-
-} // namespace
 
 DefaultEstimation::DefaultEstimation (const io::RgbdImages& reference)
 : reference_ (
@@ -67,7 +43,7 @@ takeCurrent (const io::RgbdImages& current, visualization::ResultClouds& result)
                       "x" + std::to_string (given.height) + ", the result is " +
                       std::to_string (size.width) + "x" + std::to_string (size.height) +
                       "; give the frames that it was made of");
-  result.current_points = backProject (current);
+  result.current_points = pointsOf (current);
   result.current_color = current.color;
 }
 

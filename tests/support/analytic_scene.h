@@ -43,6 +43,33 @@ struct View {
   cv::Mat body;  ///< CV_32SC1
 };
 
+/** \brief The view with a fifth of its contrast. */
+inline View
+faded (const View& view)
+{
+  View result = view;
+  result.color = 0.4 + 0.2 * (view.color - 0.4);
+  return result;
+}
+
+/** \brief The view under another light: a lamp shines from the side, and the camera
+ * answers to it otherwise. */
+inline View
+underOtherLight (const View& view)
+{
+  View result = view;
+  result.color = view.color.clone();
+  const double width = view.color.cols, height = view.color.rows;
+  for (int y = 0; y < view.color.rows; ++y)
+    for (int x = 0; x < view.color.cols; ++x) {
+      const double i = view.color.at<float> (y, x);
+      const double light =
+          0.85 + 0.15 * std::sin (1.0 + 3.0 * x / width) * std::cos (2.5 * y / height);
+      result.color.at<float> (y, x) = static_cast<float> (light * std::pow (i, 1.2));
+    }
+  return result;
+}
+
 /** \brief What really happened to each reference pixel. */
 struct Truth {
   cv::Mat flow;    ///< CV_32FC2, pixels; NaN without depth

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "common/methods/lifting.h"
 
+#include "common/depth_points.h"
 #include <pcl_msf/evaluation/residuals.h>
 
 #include <cmath>
@@ -14,21 +15,6 @@ namespace {
 const float kNan = std::numeric_limits<float>::quiet_NaN();
 
 } // namespace
-
-cv::Mat
-pointsOf (const io::RgbdImages& images)
-{
-  cv::Mat points (images.depth.size(), CV_32FC3, cv::Scalar::all (kNan));
-  for (int y = 0; y < points.rows; ++y)
-    for (int x = 0; x < points.cols; ++x) {
-      const float z = images.depth.at<float> (y, x);
-      if (!(z > 0.0f) || !std::isfinite (z))
-        continue;
-      const Eigen::Vector3f p = images.camera.backProject (x, y, z).cast<float>();
-      points.at<cv::Vec3f> (y, x) = {p.x(), p.y(), p.z()};
-    }
-  return points;
-}
 
 void
 liftByDepth (const PairData& pair, Estimate& estimate)

@@ -6,10 +6,6 @@
 
 namespace pcl_msf::tool {
 
-/** \brief Points of a depth image. \return CV_32FC3, metres, NaN = no depth */
-cv::Mat
-pointsOf (const io::RgbdImages& images);
-
 /** \brief Gives an optical flow its third dimension: each point goes to where the
  * current frame has depth at its target; where it has none, z stays as it was.
  * Sets `displacement` from `flow`, and `lifted`. */

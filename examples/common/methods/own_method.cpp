@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "common/methods/own_method.h"
 
-#include "common/methods/lifting.h"
+#include "common/depth_points.h"
 #include "common/stop_watch.h"
 #include <CLI/App.hpp>
 #include <pcl_msf/evaluation/motion_errors.h>

@@ -4,6 +4,7 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
+#include "common/depth_points.h"
 #include "common/methods/baselines.h"
 #include "common/methods/lifting.h"
 #include "common/stop_watch.h"

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "score_pair.h"
 
-#include "common/methods/lifting.h"
+#include "common/depth_points.h"
 #include <pcl_msf/evaluation/flow_errors.h>
 #include <pcl_msf/evaluation/motion_errors.h>
 #include <pcl_msf/evaluation/residuals.h>

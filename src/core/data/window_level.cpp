@@ -4,6 +4,7 @@
 
 #include "core/base/parallel_for.h"
 #include "core/data/body_noise.h"
+#include "core/frame/light_change.h"
 #include "core/window/exposure.h"
 
 namespace pcl_msf {
@@ -43,6 +44,9 @@ prepareFrame (const WindowScene& scene,
   FrameLevel frame = scene.frames[f].levels()[level];
   if (!frame.intensity.empty() && !scene.exposure.empty())
     frame.intensity = correctIntensity (frame, scene.exposure[f], scene.falloff);
+  if (scene.change.local)
+    frame.intensity =
+        localContrast (frame.intensity, scene.tuning.frame.brightness.contrast_radius);
   const bool reference = f == scene.pairs.reference();
   if (reference && level == 0 && !scene.fused_depth.empty())
     frame.inverse_depth = scene.fused_depth;

@@ -28,7 +28,7 @@ struct WindowScene {
   std::vector<Eigen::Vector3d> centroids{}; ///< per segment, reference frame
   NoiseModel noise{};
   /** Frames differ in exposure. Either the reference's points are brought to the other
-   * frame's ... */
+   * frame's ... Where light changed, this tells it for all pairs. */
   BrightnessChange change{};
   /** ... or, as a window of several pairs needs it, all frames to the reference's: per
    * frame, its intensity from the reference's; empty leaves them as they are. */

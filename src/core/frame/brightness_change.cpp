@@ -3,6 +3,7 @@
 #include "core/frame/brightness_change.h"
 
 #include "core/base/order_statistics.h"
+#include "core/frame/light_change.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,9 +52,9 @@ momentsOfInliers (const std::vector<float>& a,
 } // namespace
 
 BrightnessChange
-fitBrightnessChange (const std::vector<float>& a,
-                     const std::vector<float>& b,
-                     const BrightnessTuning& tuning)
+fitExposureChange (const std::vector<float>& a,
+                   const std::vector<float>& b,
+                   const BrightnessTuning& tuning)
 {
   const auto min_pairs = static_cast<std::size_t> (tuning.min_pairs);
   if (a.size() < min_pairs)
@@ -74,6 +75,17 @@ fitBrightnessChange (const std::vector<float>& a,
     offset = m.mean1 - gain * m.mean0;
   }
   return {static_cast<float> (gain), static_cast<float> (offset)};
+}
+
+BrightnessChange
+fitBrightnessChange (const MatchedIntensities& matches, const BrightnessTuning& tuning)
+{
+  BrightnessChange change =
+      fitExposureChange (matches.reference, matches.current, tuning);
+  change.local = lightChanged (matches, change, tuning);
+  if (change.local)
+    change.offset = 0.0f;
+  return change;
 }
 
 } // namespace pcl_msf

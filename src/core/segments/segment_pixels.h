@@ -89,6 +89,14 @@ groupPixels (const FrameLevel& level,
              int segments,
              const PointOptions& options);
 
+/** \brief Where an image of some size shows a pixel: -1 to 1 over its width, height. */
+inline cv::Point2f
+placeInImage (int u, int v, cv::Size size)
+{
+  return {static_cast<float> (2 * u + 1) / static_cast<float> (size.width) - 1.0f,
+          static_cast<float> (2 * v + 1) / static_cast<float> (size.height) - 1.0f};
+}
+
 /** \brief Labels of the next coarser level: those of pixels (2 i, 2 j); a pixel without
  * label takes one of its neighbours'. */
 cv::Mat

@@ -82,8 +82,7 @@ WindowSolve::compareExposure (int level, const SegmentPixels& points)
     return;
   const MatchedIntensities matches =
       matchIntensities (points, state_.ofPair (0), current);
-  scene_.change = fitBrightnessChange (
-      matches.reference, matches.current, scene_.tuning.frame.brightness);
+  scene_.change = fitBrightnessChange (matches, scene_.tuning.frame.brightness);
 }
 
 /** Per body, the guess at which its points fit best. */

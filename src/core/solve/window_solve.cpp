@@ -154,6 +154,7 @@ WindowSolve::start (const RigidPose& guess, const std::vector<KnownStep>& known)
   scene_.links = start.links();
   scene_.noise = start.noise();
   scene_.exposure = start.exposure();
+  scene_.change.local = start.lightChanged();
   scene_.centroids = start.centroids();
   state_ = start.state();
 }

@@ -64,7 +64,7 @@ WindowSolve::fitExposures (int at, const cv::Mat& labels)
       return;
     matches[f] = matchIntensities (
         points, state_.ofPair (pairs_.fromReference (f)), frames_[f].levels()[at]);
-    scene_.exposure[f] = fitBrightnessChange (
+    scene_.exposure[f] = fitExposureChange (
         matches[f].reference, matches[f].current, scene_.tuning.frame.brightness);
   });
   scene_.falloff = fitFalloff (matches, scene_.exposure, scene_.tuning.window.falloff);

@@ -123,6 +123,7 @@ WindowStart::solveStep (int from, int to, const RigidPose& guess)
   noise_.displacement = noise.displacement;
   noise_.relative_depth = noise.relative_depth;
   const BrightnessChange& change = solve.scene().change;
+  light_changed_ = light_changed_ || change.local;
   exposure_[to].gain = change.gain * exposure_[from].gain;
   exposure_[to].offset = change.gain * exposure_[from].offset + change.offset;
 }

@@ -43,6 +43,12 @@ public:
   WindowState
   state () const;
 
+  /** \brief Did light change between two adjacent frames? */
+  bool
+  lightChanged () const
+  {
+    return light_changed_;
+  }
   const std::vector<BrightnessChange>&
   exposure () const
   {
@@ -96,7 +102,8 @@ private:
   std::vector<Step> steps_;                      ///< per pair; adjacent ones filled
   std::vector<std::vector<RigidPose>> to_frame_; ///< per frame, per segment
   std::vector<BrightnessChange> exposure_;       ///< per frame
-  std::vector<SegmentLink> links_;               ///< of the reference
+  bool light_changed_{false};
+  std::vector<SegmentLink> links_; ///< of the reference
   std::vector<double> link_weights_;
   NoiseModel noise_;
 };

@@ -223,7 +223,7 @@ matchIntensities (const CoarseFlow& flow,
                   const RgbdFrame& current,
                   const SegmentPixels& pixels,
                   int level,
-                  FlowHypotheses& result)
+                  MatchedIntensities& matches)
 {
   const cv::Mat& image = current.levels()[level].intensity;
   if (image.empty())
@@ -237,8 +237,11 @@ matchIntensities (const CoarseFlow& flow,
     const int v = cvRound (static_cast<float> (y) + f[1] * scale);
     if (u < 0 || v < 0 || u >= image.cols || v >= image.rows)
       continue;
-    result.pairs_reference.push_back (pixels.intensity[i]);
-    result.pairs_current.push_back (image.at<float> (v, u));
+    const cv::Point2f at = placeInImage (x, y, image.size());
+    matches.reference.push_back (pixels.intensity[i]);
+    matches.current.push_back (image.at<float> (v, u));
+    matches.x.push_back (at.x);
+    matches.y.push_back (at.y);
   }
 }
 
@@ -262,7 +265,7 @@ hypothesesFromFlow (const CoarseFlow& flow,
                                 tuning.flow.noise * noise.inverse_depth,
                                 tuning.flow.noise * noise.relative_depth,
                                 tuning.fit};
-  matchIntensities (flow, current, pixels, level, result);
+  matchIntensities (flow, current, pixels, level, result.matches);
   const int segments = pixels.segments();
   result.of_segment.assign (segments, start);
   result.fitted.assign (segments, 0);

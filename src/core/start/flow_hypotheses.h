@@ -26,8 +26,7 @@ struct FlowHypotheses {
   std::vector<RigidPose> of_segment; ///< robust rigid fit to each segment's flow
   std::vector<char> fitted;          ///< enough samples for the fit?
   std::vector<RigidPose> bodies; ///< motions that many segments share, largest first
-  std::vector<float> pairs_reference; ///< intensities of matched points ...
-  std::vector<float> pairs_current;   ///< ... and of their matches
+  MatchedIntensities matches;
 };
 
 /** \brief Dense optical flow at a part of the frames' resolution. */

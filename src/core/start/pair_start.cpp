@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/start/pair_start.h"
 
+#include "core/frame/light_change.h"
 #include "core/segments/segment_graph.h"
 #include "core/segments/surface_links.h"
 #include "core/start/far_motions.h"
@@ -57,7 +58,7 @@ PairStart::run (const cv::Mat& labels,
     return given;
   std::vector<RigidPose> poses (scene_.segments, guess);
   common_ = {guess, RigidPose{}};
-  const Texture texture (current_.levels()[at]);
+  const Texture texture (comparable (current_.levels()[at]));
   DataTerm probes (points,
                    texture,
                    makeRules (energy_, points, scene_.tuning.data.missing),
@@ -123,11 +124,32 @@ PairStart::liftOptical (const CoarseFlow& optical,
                                                       scene_.noise,
                                                       scene_.tuning.start.evidence,
                                                       scene_.threads));
-  scene_.change = fitBrightnessChange (
-      flow.pairs_reference, flow.pairs_current, scene_.tuning.frame.brightness);
-  for (float& intensity : points.intensity)
-    intensity = scene_.change.gain * intensity + scene_.change.offset;
+  scene_.change = fitBrightnessChange (flow.matches, scene_.tuning.frame.brightness);
+  changeBrightness (at, points);
   return flow;
+}
+
+/** Brings the points' intensities to the current frame's. */
+void
+PairStart::changeBrightness (int at, SegmentPixels& points) const
+{
+  const cv::Mat intensity = comparable (reference_.levels()[at]).intensity;
+  const int width = intensity.cols;
+  for (std::size_t i = 0; i < points.pixel.size(); ++i)
+    points.intensity[i] =
+        scene_.change.gain *
+            intensity.at<float> (points.pixel[i] / width, points.pixel[i] % width) +
+        scene_.change.offset;
+}
+
+/** The level with what both frames show alike of its brightness. */
+FrameLevel
+PairStart::comparable (FrameLevel level) const
+{
+  if (scene_.change.local)
+    level.intensity =
+        localContrast (level.intensity, scene_.tuning.frame.brightness.contrast_radius);
+  return level;
 }
 
 /** The motions that many share become common to all segments. */
@@ -236,16 +258,14 @@ PairStart::propose (const DataTerm& probes,
   return proposals.run (rounds, poses);
 }
 
-/** Fits the exposure anew, where points go by a motion that most of the image shares.
- */
+/** Fits the exposure anew, where points go by a motion that most of the image shares;
+ * whether light changed stays as the flow told. */
 void
 PairStart::compareExposure (const RigidPose& pose, int at, SegmentPixels& points)
 {
-  const FrameLevel& level = current_.levels()[at];
+  const cv::Mat from_image = comparable (reference_.levels()[at]).intensity;
+  const FrameLevel level = comparable (current_.levels()[at]);
   const UnpackedPose motion (pose);
-  const BrightnessChange was = scene_.change;
-  for (float& intensity : points.intensity)
-    intensity = (intensity - was.offset) / was.gain;
   std::vector<float> from;
   std::vector<float> to;
   for (std::size_t i = 0; i < points.pixel.size(); ++i) {
@@ -261,12 +281,16 @@ PairStart::compareExposure (const RigidPose& pose, int at, SegmentPixels& points
     if (std::abs (level.inverse_depth.at<float> (v, u) * q.z() - 1.0) >
         scene_.tuning.start.same_depth)
       continue;
-    from.push_back (points.intensity[i]);
+    from.push_back (from_image.at<float> (points.pixel[i] / level.width(),
+                                          points.pixel[i] % level.width()));
     to.push_back (level.intensity.at<float> (v, u));
   }
-  scene_.change = fitBrightnessChange (from, to, scene_.tuning.frame.brightness);
-  for (float& intensity : points.intensity)
-    intensity = scene_.change.gain * intensity + scene_.change.offset;
+  const bool local = scene_.change.local;
+  scene_.change = fitExposureChange (from, to, scene_.tuning.frame.brightness);
+  if (local)
+    scene_.change.offset = 0.0f;
+  scene_.change.local = local;
+  changeBrightness (at, points);
 }
 
 double

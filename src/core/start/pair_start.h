@@ -90,6 +90,10 @@ private:
            std::vector<RigidPose>& poses) const;
   void
   compareExposure (const RigidPose& pose, int at, SegmentPixels& points);
+  void
+  changeBrightness (int at, SegmentPixels& points) const;
+  FrameLevel
+  comparable (FrameLevel level) const;
   double
   lostShare (const DataTerm& probes, const std::vector<RigidPose>& poses) const;
   bool

@@ -62,6 +62,11 @@ matchIntensities (const SegmentPixels& points,
         continue;
       matches.reference.push_back (points.intensity[i]);
       matches.current.push_back (intensity);
+      const cv::Point2f at = placeInImage (points.pixel[i] % level.width(),
+                                           points.pixel[i] / level.width(),
+                                           level.intensity.size());
+      matches.x.push_back (at.x);
+      matches.y.push_back (at.y);
       matches.reference_radius2.push_back (
           static_cast<float> (p.head<2>().squaredNorm() / (p.z() * p.z())));
       matches.current_radius2.push_back (

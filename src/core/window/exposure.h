@@ -12,13 +12,6 @@
 
 namespace pcl_msf {
 
-/** \brief Intensities of points that two frames show, and where they show them: squared
- * distances from the principal point over the focal length. */
-struct MatchedIntensities {
-  std::vector<float> reference, current;
-  std::vector<float> reference_radius2, current_radius2;
-};
-
 /** \brief Matches of the reference's points where the poses carry them and the frame
  * shows their surface. \param points of the reference, intensities unchanged
  * \param level of the frame, the points' size */

@@ -37,8 +37,7 @@ TEST_P (Exposure, GainAndOffsetAreFoundAmongWrongPairs)
 {
   const auto [gain, offset, wrong] = GetParam();
   const Pairs pairs = matched (gain, offset, wrong, 4000);
-  const BrightnessChange found =
-      fitBrightnessChange (pairs.reference, pairs.current, {});
+  const BrightnessChange found = fitExposureChange (pairs.reference, pairs.current, {});
   // Right to one grey value of 255 over the range of intensities; with wrong pairs to
   // two and a half.
   for (const double i : {0.1, 0.45, 0.8})
@@ -56,21 +55,20 @@ INSTANTIATE_TEST_SUITE_P (GainsOffsetsAndWrongPairs,
 TEST (BrightnessChange, FewPairsSayNothing)
 {
   const Pairs pairs = matched (1.3, 0.1, 0.0, 99);
-  const BrightnessChange found =
-      fitBrightnessChange (pairs.reference, pairs.current, {});
+  const BrightnessChange found = fitExposureChange (pairs.reference, pairs.current, {});
   EXPECT_EQ (found.gain, 1.0f);
   EXPECT_EQ (found.offset, 0.0f);
-  EXPECT_EQ (fitBrightnessChange ({}, {}, {}).gain, 1.0f);
+  EXPECT_EQ (fitExposureChange ({}, {}, {}).gain, 1.0f);
 }
 
 TEST (BrightnessChange, WithoutContrastThereIsNoGain)
 {
   const std::vector<float> gray (500, 0.4f);
-  const BrightnessChange same = fitBrightnessChange (gray, gray, {});
+  const BrightnessChange same = fitExposureChange (gray, gray, {});
   EXPECT_EQ (same.gain, 1.0f);
   EXPECT_NEAR (same.offset, 0.0f, 1e-6f);
   const BrightnessChange brighter =
-      fitBrightnessChange (gray, std::vector<float> (500, 0.5f), {});
+      fitExposureChange (gray, std::vector<float> (500, 0.5f), {});
   EXPECT_EQ (brighter.gain, 1.0f);
   EXPECT_NEAR (brighter.offset, 0.1f, 1e-6f);
 }
@@ -78,8 +76,7 @@ TEST (BrightnessChange, WithoutContrastThereIsNoGain)
 TEST (BrightnessChange, GainStaysWithinReason)
 {
   const Pairs pairs = matched (5.0, -0.4, 0.0, 1000);
-  const BrightnessChange found =
-      fitBrightnessChange (pairs.reference, pairs.current, {});
+  const BrightnessChange found = fitExposureChange (pairs.reference, pairs.current, {});
   EXPECT_LE (found.gain, 2.0f);
   EXPECT_GE (found.gain, 0.5f);
 }

@@ -28,6 +28,16 @@ TEST_F (Room, FlowIsRightWhereBothFramesSee)
   EXPECT_LT (mean (box), 0.4);
 }
 
+TEST_F (Room, FlowIsRightUnderAnotherLight)
+{
+  reference_ = scene_.frame (test::faded (view_));
+  current_ = scene_.frame (test::underOtherLight (test::faded (scene_.render (true))));
+  const SceneFlow result = estimate();
+  const auto all = errors (result);
+  EXPECT_LT (all[all.size() / 2], 0.03);
+  EXPECT_LT (mean (all), 0.04);
+}
+
 TEST_F (Room, DisplacementsAreMetresAndFlowIsTheirPicture)
 {
   SolverParameters solver = alone();

@@ -61,6 +61,19 @@ meanError (const Room& room, int reference, int to, const SceneFlow& flow)
   return sum / std::max (1, count);
 }
 
+TEST (MultiframeEstimator, LightMayChangeFromFrameToFrame)
+{
+  Room room (3);
+  for (const int f : {0, 1, 2}) {
+    const test::View view = test::faded (room.views[f]);
+    room.frames[f] = room.scene.frame (f == 1 ? test::underOtherLight (view) : view);
+  }
+  const MultiframeSceneFlow result =
+      MultiframeEstimator().estimate (room.frames, 0, room.segments (0));
+  EXPECT_LT (meanError (room, 0, 1, result.frames[1]), 0.012);
+  EXPECT_LT (meanError (room, 0, 2, result.frames[2]), 0.012);
+}
+
 TEST (MultiframeEstimator, TwoFramesAreAPair)
 {
   const Room room (2);

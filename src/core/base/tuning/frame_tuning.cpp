@@ -19,6 +19,10 @@ listValues (FrameTuning& tuning, TunedValues& values)
       {"frame.brightness.min_spread", &brightness.min_spread, 1e-4, 1},
       {"frame.brightness.rounds", &brightness.rounds, 1, 100},
       {"frame.brightness.inlier_mads", &brightness.inlier_mads, 1, 100},
+      {"frame.brightness.term_prior", &brightness.term_prior, 1e-6, 10},
+      {"frame.brightness.light_explained", &brightness.light_explained, 0, 1},
+      {"frame.brightness.least_light", &brightness.least_light, 0, 1},
+      {"frame.brightness.contrast_radius", &brightness.contrast_radius, 1, 1000},
       {"frame.same_surface", &tuning.same_surface, 1e-4, 1},
       {"frame.same_sigmas", &tuning.same_sigmas, 0, 100},
       {"frame.smallest_side", &tuning.smallest_side, 12, 10000}};

@@ -21,10 +21,16 @@ struct NormalTuning {
 
 /** \brief How the exposure changed between two frames. */
 struct BrightnessTuning {
-  int min_pairs{100};      ///< of intensities, else no change is assumed
-  double min_spread{0.02}; ///< intensity: less contrast tells no gain
-  int rounds{5};           ///< of leaving out what does not fit
-  double inlier_mads{3.0}; ///< median misfits that fit
+  int min_pairs{100};          ///< of intensities, else no change is assumed
+  double min_spread{0.02};     ///< intensity: less contrast tells no gain
+  int rounds{5};               ///< of leaving out what does not fit
+  double inlier_mads{3.0};     ///< median misfits that fit
+  double term_prior{0.03};     ///< intensity: standard deviation of what light changes
+  double light_explained{0.7}; ///< of the median misfit may stay once such changes are
+                               ///< allowed for: then light changed
+  double least_light{0.001};   ///< intensity: and so much of it must go
+  int contrast_radius{4};      ///< pixels of a level: then its mean within is left out;
+                               ///< more keeps more, of light as well
 };
 
 /** \brief Frames and their pyramids. */

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/frame/light_change.h"
+
+#include <Eigen/Cholesky>
+
+#include <opencv2/imgproc.hpp>
+
+#include "core/base/opencv_threads.h"
+#include "core/base/order_statistics.h"
+
+#include <cmath>
+
+namespace pcl_msf {
+
+namespace {
+
+constexpr int kTerms = 23;
+using Terms = Eigen::Matrix<double, kTerms, 1>;
+
+/** Functions of an intensity and its place. */
+Terms
+termsAt (double i, double x, double y)
+{
+  const double xx = x * x;
+  const double xy = x * y;
+  const double yy = y * y;
+  Terms t;
+  t << 1.0, x, y, xx, xy, yy, xx * x, xx * y, x * yy, y * yy, xx * xx, xx * xy, xx * yy,
+      xy * yy, yy * yy, i, i * x, i * y, i * xx, i * xy, i * yy, i * i, i * i * i;
+  return t;
+}
+
+/** What a gain and an offset leave of matched intensities. */
+class Misfits {
+public:
+  Misfits (const MatchedIntensities& matches, const BrightnessChange& exposure)
+  {
+    const std::size_t n = matches.reference.size();
+    terms_.reserve (n);
+    left_.reserve (n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const float in = matches.reference[i];
+      terms_.push_back (termsAt (in, matches.x[i], matches.y[i]));
+      left_.push_back (matches.current[i] - (exposure.gain * in + exposure.offset));
+    }
+  }
+
+  /** Median size, less what some amounts of the terms explain. */
+  double
+  medianBeyond (const Terms& amounts) const
+  {
+    std::vector<double> sizes (left_.size());
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+      sizes[i] = std::abs (left_[i] - amounts.dot (terms_[i]));
+    return median (sizes);
+  }
+
+  /** Amounts that explain most. \param limit of misfits that count
+   * \param ridge least information on an amount */
+  Terms
+  explain (const Terms& amounts, double limit, double ridge) const
+  {
+    Eigen::Matrix<double, kTerms, kTerms> a =
+        ridge * Eigen::Matrix<double, kTerms, kTerms>::Identity();
+    Terms b = Terms::Zero();
+    for (std::size_t i = 0; i < left_.size(); ++i) {
+      const double share = (left_[i] - amounts.dot (terms_[i])) / limit;
+      const double root = 1.0 / (1.0 + share * share); // Geman and McClure's weight
+      const Terms row = root * terms_[i];
+      a.selfadjointView<Eigen::Lower>().rankUpdate (row);
+      b += root * left_[i] * row;
+    }
+    return a.selfadjointView<Eigen::Lower>().ldlt().solve (b);
+  }
+
+private:
+  std::vector<Terms, Eigen::aligned_allocator<Terms>> terms_;
+  std::vector<double> left_;
+};
+
+} // namespace
+
+bool
+lightChanged (const MatchedIntensities& matches,
+              const BrightnessChange& exposure,
+              const BrightnessTuning& tuning)
+{
+  if (matches.reference.size() < static_cast<std::size_t> (tuning.min_pairs))
+    return false;
+  const Misfits misfits (matches, exposure);
+  Terms amounts = Terms::Zero();
+  const double before = misfits.medianBeyond (amounts);
+  double after = before;
+  for (int round = 0; round < tuning.rounds; ++round) {
+    const double limit = std::max (tuning.inlier_mads * after, 1e-3);
+    const double unsure = limit / tuning.term_prior;
+    amounts = misfits.explain (amounts, limit, unsure * unsure);
+    after = misfits.medianBeyond (amounts);
+  }
+  return after < tuning.light_explained * before && before - after > tuning.least_light;
+}
+
+cv::Mat
+localContrast (const cv::Mat& intensity, int radius)
+{
+  cv::Mat mean;
+  if (intensity.empty())
+    return mean;
+  const int side = 2 * radius + 1;
+  inThisThread ([&] {
+    cv::blur (intensity, mean, {side, side}, {-1, -1}, cv::BORDER_REFLECT);
+  });
+  return intensity - mean;
+}
+
+} // namespace pcl_msf
