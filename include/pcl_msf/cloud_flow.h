@@ -8,6 +8,7 @@
 #include <pcl_msf/rigid_pose.h>
 #include <pcl_msf/scene_flow.h>
 
+#include <array>
 #include <vector>
 
 namespace pcl_msf {
@@ -38,19 +39,23 @@ struct CloudJoint {
 struct CloudFlow {
   std::vector<Eigen::Vector3f> warped; ///< per source point; NaN = unknown
   std::vector<int> part;               ///< per source point; -1 = none
-  std::vector<int> target;        ///< per source point: nearest target point, or -1
-  std::vector<float> confidence;  ///< per source point, [0, 1]: how well the target
-                                  ///< shows a surface where it is moved to, less
-                                  ///< where the source was stretched to get there
-  std::vector<CloudPart> parts;   ///< largest first
-  std::vector<CloudJoint> joints; ///< of parts that touch
-  double explained_source{0.0};   ///< share of the source's surface seen there
-  double explained_target{0.0};   ///< share of the target's that the source covers
-  double loose_target{0.0};       ///< share of the target in the largest piece that the
-                                  ///< source leaves bare though it is not cut off
-                                  ///< there: a limb lies elsewhere
-  double gap{0.0}; ///< between neighbouring segments, mean, in radii of a
-                   ///< segment: much = torn or twisted
+  std::vector<int> target;       ///< per source point: nearest target point, or -1
+  std::vector<float> confidence; ///< per source point, [0, 1]: how well the target
+                                 ///< shows a surface where it is moved to, less
+                                 ///< where the source was stretched to get there
+  std::vector<int> segment;      ///< per source point, of given segments: its place in
+                                 ///< ascending order of labels, -1 = none; else empty
+  std::vector<int> segment_part; ///< per given segment, its part
+  std::vector<std::array<int, 2>> touching; ///< given segments, the first one less
+  std::vector<CloudPart> parts;             ///< largest first
+  std::vector<CloudJoint> joints;           ///< of parts that touch
+  double explained_source{0.0}; ///< share of the source's surface seen there
+  double explained_target{0.0}; ///< share of the target's that the source covers
+  double loose_target{0.0};     ///< share of the target in the largest piece that the
+                                ///< source leaves bare though it is not cut off
+                                ///< there: a limb lies elsewhere
+  double gap{0.0};              ///< between neighbouring segments, mean, in radii of a
+                                ///< segment: much = torn or twisted
   Report report;
 };
 

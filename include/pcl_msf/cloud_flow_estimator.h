@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/cloud_constraints.h>
 #include <pcl_msf/cloud_flow.h>
 #include <pcl_msf/export.h>
 #include <pcl_msf/parameters.h>
@@ -24,18 +25,26 @@ namespace pcl_msf {
  */
 class PCL_MSF_EXPORT CloudFlowEstimator {
 public:
-  explicit CloudFlowEstimator (SolverParameters solver = {});
+  /** \throws InvalidInput for bad values */
+  explicit CloudFlowEstimator (SolverParameters solver = {},
+                               CloudConstraints constraints = {});
 
   /** \param source, target 20 different finite points or more each
    * \param start where to begin: one rigid motion of all
+   * \param segments a label per source point, negative = takes no part and is unknown
+   * in the result; empty = the surface is cut into segments. Given ones are used as
+   * they are: each is rigid up to its border and in one part (`merge_bodies` tells
+   * whether several may share one); those hold together that touch, or all but touch
    * \throws InvalidInput naming the remedy */
   CloudFlow
   estimate (const std::vector<Eigen::Vector3f>& source,
             const std::vector<Eigen::Vector3f>& target,
-            const RigidPose& start = {}) const;
+            const RigidPose& start = {},
+            const std::vector<int>& segments = {}) const;
 
 private:
   SolverParameters solver_;
+  CloudConstraints constraints_;
 };
 
 } // namespace pcl_msf

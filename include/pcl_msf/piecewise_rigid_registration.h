@@ -48,7 +48,8 @@ namespace pcl_msf {
  * registered by nearest neighbours, see setCorrespondence and CloudFlowEstimator: any
  * unit, any z, one target. Parts take the place of segments, getJoints tells how they
  * turn against each other; images of the scene flow are as wide as the cloud, optical
- * flow is NaN. setIndices leaves out points exactly there.
+ * flow is NaN. setIndices leaves out points exactly there. What is known is told by
+ * setKnownCorrespondences and setCloudConstraints.
  *
  * <b>Several targets.</b> addInputTarget and setInputTargets make a window of frames in
  * the order of time, the source being the one that setReferenceFrame says, the first by
@@ -182,6 +183,16 @@ public:
   pcl::IndicesPtr
   getIndices () const;
 
+  /** \brief Pairs that are known: index_query of the source, index_match of the target.
+   * They replace those of setCloudConstraints; without a match (index -1) refused.
+   * \param weights as KnownPair's, one per pair; empty = 1 each */
+  void
+  setKnownCorrespondences (const pcl::Correspondences& correspondences,
+                           const std::vector<double>& weights = {});
+  /** \brief The pairs; their member `weight` is set. */
+  pcl::Correspondences
+  getKnownCorrespondences () const;
+
   /** \brief Registers, see above. \note Hide the base's, which run behind a base
    * pointer, with the same result. */
   void
@@ -253,8 +264,8 @@ public:
   Matrix4
   getPose (int from, int to, int segment) const;
 
-  /** \brief Joints between the parts that the last align found by nearest neighbours;
-   * empty after any other. */
+  /** \brief Joints between the parts that the last align found by nearest neighbours,
+   * by the numbers of the scene flow's groups; empty after any other. */
   const std::vector<CloudJoint>&
   getJoints () const
   {
@@ -282,6 +293,8 @@ private:
   checkTargets () const;
   bool
   usesNeighbors () const;
+  void
+  requireFittingLabels () const;
   void
   matchNeighbors (const pcl::Indices& points,
                   const Matrix4& guess,

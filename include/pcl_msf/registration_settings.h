@@ -6,6 +6,7 @@
 #include <pcl/point_types.h>
 #include <pcl/PointIndices.h>
 
+#include <pcl_msf/cloud_constraints.h>
 #include <pcl_msf/export.h>
 #include <pcl_msf/scene_flow_settings.h>
 
@@ -39,7 +40,14 @@ public:
   }
 
   /** \brief Segments from outside: one label per point of the source, organized like
-   * it. See labelImage for "none". Replaces clusters; a null pointer is refused. */
+   * it. See labelImage for "none"; points that PCL's SupervoxelClustering leaves out
+   * bear 0, a label like any other: make it the largest number. Replaces clusters; a
+   * null pointer and an empty cloud are refused.
+   *
+   * Points in no segment take no part, their motion is unknown. By nearest neighbours,
+   * too, segments are used as they are: each is rigid, see CloudFlowEstimator;
+   * SceneFlow's segments are these, in ascending order of labels, its groups the parts
+   * that they were joined to. */
   void
   setSegmentation (const LabelCloudConstPtr& labels);
   LabelCloudConstPtr
@@ -69,6 +77,18 @@ public:
     return correspondence_;
   }
 
+  /** \brief What is known beforehand of clouds that are registered by nearest
+   * neighbours: pairs, weights, fixed segments and segments' guesses. Refused when not
+   * valid; whether indices and labels exist is judged in align, which fails when the
+   * clouds are registered by the camera. Default: nothing, and {} returns to it. */
+  void
+  setCloudConstraints (const CloudConstraints& constraints);
+  CloudConstraints
+  getCloudConstraints () const
+  {
+    return constraints_;
+  }
+
   /** \brief Back to segments by SegmentationParameters. */
   void
   clearSegmentation ();
@@ -79,6 +99,7 @@ protected:
 
   NormalCloudConstPtr normals_;
   CorrespondenceMethod correspondence_{CorrespondenceMethod::Auto};
+  CloudConstraints constraints_;
   LabelCloudConstPtr labels_;
   std::vector<pcl::PointIndices> clusters_;
 };

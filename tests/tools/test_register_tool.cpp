@@ -58,6 +58,48 @@ TEST (RegisterTool, WritesWhatAUserWants)
   EXPECT_EQ (filesIn (folder ("out")), 6u); // with the list of them
 }
 
+TEST (RegisterTool, TakesSegmentsAndKnownPairs)
+{
+  const TemporaryFolder folder;
+  BoxChain box; // turned by nearly half a turn: it looks as if it had hardly moved
+  box.boxes = 1;
+  box.root = RigidPose{{0.0, 0.0, 3.0, 0.3, 0.02, 0.01}};
+  const ChainCloud source = drawChain (box, 2000, false, 3);
+  ChainCloud target = drawChain (box, 2000, true, 4);
+  std::string labels;
+  std::string pairs = "# source target weight\n";
+  for (int i = 0; i < 2000; ++i) {
+    labels += i % 100 == 0 ? "-1\n" : "7\n";
+    if (i % 500 != 1)
+      continue;
+    pairs += std::to_string (i) + " " + std::to_string (target.points.size()) + " 2\n";
+    target.points.push_back ((box.root * source.rest[i].cast<double>()).cast<float>());
+  }
+  io::writePointsPly (folder ("source.ply"), source.points);
+  io::writePointsPly (folder ("target.ply"), target.points);
+  writeFile (folder ("labels.txt"), labels);
+  writeFile (folder ("pairs.txt"), pairs);
+  const std::string command = kTool + folder ("source.ply") + " " +
+                              folder ("target.ply") + " --quiet --output " +
+                              folder ("out");
+  const ToolRun done = runTool (folder,
+                                command + " --segments " + folder ("labels.txt") +
+                                    " --pairs " + folder ("pairs.txt"));
+  ASSERT_EQ (done.status, 0) << done.err;
+  const io::PointFile warped = io::readPoints (folder ("out/warped.ply"));
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Vector3d truth = box.root * source.rest[i].cast<double>();
+    ASSERT_EQ (warped.points[i].allFinite(), i % 100 != 0);
+    ASSERT_TRUE (i % 100 == 0 ||
+                 (warped.points[i].cast<double>() - truth).norm() < 5e-3);
+  }
+  writeFile (folder ("pairs.txt"), "1 2\n3\n");
+  const ToolRun refused =
+      runTool (folder, command + " --pairs " + folder ("pairs.txt"));
+  EXPECT_EQ (refused.status, 1);
+  EXPECT_THAT (refused.err, HasSubstr ("line 2"));
+}
+
 /** Colours in three fields, coordinates as doubles: PCL's own reader drops both. */
 void
 writeDialect (const std::string& path, const io::DataFolder& frames, int frame)

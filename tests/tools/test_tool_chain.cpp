@@ -52,9 +52,6 @@ TEST_F (ToolChain, ResultsWithoutCloudsAreReportedAndNotDrawn)
   expectSuccess ("scene_flow",
                  folder_ ("seq") + " --outputs flow --quiet --output " +
                      folder_ ("flow"));
-  fs::create_directory (folder_ ("cloud"));
-  writeFile (folder_ ("cloud/report.json"), "{}"); // as of pcl_msf_register
-  fs::copy (PCL_MSF_SOURCE "/LICENSE", folder_ ("cloud/registered.pcd"));
   for (const char* name : {"stream", "flow"})
     expectSuccess ("report",
                    folder_ (name) + " --output " + folder_ (name) + "/index.html");
@@ -65,7 +62,7 @@ TEST_F (ToolChain, ResultsWithoutCloudsAreReportedAndNotDrawn)
                           "<th>latency, ms</th>"})
     EXPECT_THAT (page, HasSubstr (row));
   if (hasTool ("render"))
-    for (const char* name : {"stream", "flow", "cloud"})
+    for (const char* name : {"stream", "flow"})
       expectRefusal ("render",
                      folder_ (name) + " --sequence " + folder_ ("seq") +
                          " --kind warped --output " + folder_ ("drawn"),

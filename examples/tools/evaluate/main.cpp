@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 // Scores our method and baselines on data sets, recorded or generated.
+#include "cloud_run.h"
 #include "common/command_line.h"
 #include "common/input_files.h"
 #include "common/tool_main.h"
@@ -90,6 +91,8 @@ merge (const EvaluateOptions& options)
 int
 run (const EvaluateOptions& options)
 {
+  if (isOfClouds (options))
+    return evaluateClouds (options);
   checkOutputs (options);
   if (options.merge)
     return merge (options);

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "options.h"
 
+#include "cloud_methods.h"
 #include "common/camera_effects.h"
 #include "common/command_line.h"
 #include "common/methods/method.h"
@@ -25,7 +26,7 @@ takeDataset (const std::vector<std::string>& words, EvaluateOptions& options)
   std::vector<std::string> kinds;
   for (const auto& kind : io::datasetKinds())
     kinds.push_back (kind.first);
-  kinds.insert (kinds.end(), {"auto", "generated"});
+  kinds.insert (kinds.end(), {"auto", "generated", kClouds, kBodies});
   std::string list;
   for (const std::string& kind : kinds)
     list += (list.empty() ? "" : ", ") + kind;
@@ -34,7 +35,8 @@ takeDataset (const std::vector<std::string>& words, EvaluateOptions& options)
   options.dataset = words[0];
   if (std::find (kinds.begin(), kinds.end(), words[0]) == kinds.end())
     throw UsageError ("'" + words[0] + "': no data set; give one of " + list);
-  const std::size_t expected = options.dataset == "generated" ? 1 : 2;
+  const bool made = options.dataset == "generated" || options.dataset == kBodies;
+  const std::size_t expected = made ? 1 : 2;
   if (words.size() < expected)
     throw UsageError (words[0] + ": needs a path; give the data set's folder after it");
   if (words.size() > expected)
@@ -76,6 +78,25 @@ expandMethods (EvaluateOptions& options)
     makeMethod (method, options.threads);
 }
 
+/** Clouds without a grid have methods of their own, and a table alone. */
+void
+takeCloudMethods (EvaluateOptions& options)
+{
+  std::vector<std::string> known;
+  for (const auto& [name, help] : cloudMethodHelp())
+    known.push_back (name);
+  if (options.methods == std::vector<std::string>{kAllMethods})
+    options.methods = known;
+  for (const std::string& method : options.methods)
+    if (std::find (known.begin(), known.end(), method) == known.end())
+      throw UsageError ("--methods: '" + method +
+                        "' is none for clouds without a grid; they are zero, icp, gicp "
+                        "and msf");
+  if (!options.json.empty() || options.ablation || options.shard.count > 1)
+    throw UsageError (options.dataset + ": --json, --ablation and --shard are not for "
+                                        "clouds without a grid; there is --csv");
+}
+
 void
 check (EvaluateOptions& options)
 {
@@ -88,6 +109,8 @@ check (EvaluateOptions& options)
   if (const std::size_t at = options.csv.find ('%'); at != std::string::npos)
     options.csv.replace (at, 1, std::to_string (options.shard.index));
   takeDataset (options.words, options);
+  if (isOfClouds (options))
+    return takeCloudMethods (options);
   expandMethods (options);
   options.generated.threads = options.threads;
   options.generated.distortion = options.reading.distortion;
@@ -107,7 +130,12 @@ footer ()
   std::string text = "DATASET is one of auto";
   for (const auto& kind : io::datasetKinds())
     text += ", " + kind.first;
-  text += " or generated.\n\nMethods:\n";
+  text += ", generated; without a grid: clouds (FOLDER has folders with source.ply, "
+          "target.ply and truth.ply) or bodies (generated).\n\nMethods for clouds "
+          "without a grid:\n";
+  for (const auto& [name, help] : cloudMethodHelp())
+    text += helpLine (name, help);
+  text += "\nMethods:\n";
   for (const auto& [name, help] : methodHelp())
     text += helpLine (name, help);
   text +=

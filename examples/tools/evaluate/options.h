@@ -54,6 +54,7 @@ constexpr const char* kSummary =
     "Scores our method and baselines on a data set.\n\n"
     "  pcl_msf_evaluate DATASET PATH [options]\n"
     "  pcl_msf_evaluate generated [options]\n"
+    "  pcl_msf_evaluate clouds FOLDER | bodies [options]\n"
     "  pcl_msf_evaluate --merge --csv OUT.csv SHARD.csv ...";
 
 /** \brief Adds the options to a command line, which checks them when it is read; it

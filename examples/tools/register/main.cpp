@@ -10,6 +10,7 @@
 #include "common/progress_line.h"
 #include "common/tool_main.h"
 #include "common/tuning_options.h"
+#include "register/constraint_files.h"
 #include <CLI/App.hpp>
 #include <pcl_msf/cloud_flow_estimator.h>
 #include <pcl_msf/errors.h>
@@ -40,7 +41,9 @@ constexpr int kNotFound = 3; // exit status; everything was written
 struct RegisterOptions {
   std::string source;
   std::string target;
-  std::string output; ///< folder
+  std::string output;   ///< folder
+  std::string segments; ///< file
+  std::string pairs;    ///< file
   bool quiet{false};
   SolverParameters solver;
 };
@@ -58,6 +61,17 @@ declareOptions (CLI::App& app, RegisterOptions& o)
            "folder for warped.ply, registered.pcd, parts.txt, joints.json, report.json",
            o.output)
       ->required();
+  addText (app,
+           "--segments",
+           "FILE",
+           "a label per source point a line, negative = none: own segments, each rigid",
+           o.segments);
+  addText (app,
+           "--pairs",
+           "FILE",
+           "known pairs, \"SOURCE TARGET [WEIGHT]\" a line: indices from 0; weight 1 = "
+           "right to about a point's distance, 1e6 = hard",
+           o.pairs);
   addNumber (app, "--threads", "N", "0 = all", o.solver.threads);
   addNumber (app, "--max-seconds", "S", "time budget, 0 = none", o.solver.max_seconds);
   addSwitch (
@@ -136,7 +150,14 @@ estimate (const RegisterOptions& options,
     line.update (progress);
     return true;
   };
-  return CloudFlowEstimator (solver).estimate (source.points, target.points);
+  CloudConstraints constraints;
+  if (!options.pairs.empty())
+    constraints.pairs = readPairs (options.pairs);
+  std::vector<int> segments;
+  if (!options.segments.empty())
+    segments = readLabels (options.segments);
+  return CloudFlowEstimator (solver, constraints)
+      .estimate (source.points, target.points, {}, segments);
 }
 
 double
@@ -153,6 +174,8 @@ run (const RegisterOptions& options)
   InputFiles files;
   files.add (options.source);
   files.add (options.target);
+  files.add (options.segments);
+  files.add (options.pairs);
   const io::PointFile source = io::readPoints (options.source);
   const io::PointFile target = io::readPoints (options.target);
   const double load = secondsSince (begin);

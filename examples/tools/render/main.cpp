@@ -4,6 +4,7 @@
 #include "common/input_files.h"
 #include "common/output_folder.h"
 #include "common/tool_main.h"
+#include "render/cloud_pictures.h"
 #include "render/inputs.h"
 #include "render/options.h"
 #include "render/pictures.h"
@@ -21,6 +22,8 @@ constexpr int kNotConverged = 3; // exit status; everything was written
 int
 run (const RenderOptions& options)
 {
+  if (isCloudResult (options))
+    return renderClouds (options);
   for (const std::string& recording : {options.input, options.sequence})
     if (resultPairs (recording).empty())
       requireOutside ("--output", options.output, recording);

@@ -95,11 +95,13 @@ addInputOptions (CLI::App& app, RenderOptions& o)
            "what pcl_msf_scene_flow wrote, or frames to be solved first",
            o.input);
   beginGroup (app, "What to read and write");
-  addText (app,
-           "--sequence",
-           "FOLDER",
-           "frames of a result folder: color_K, depth_K, camera.txt, or a data set's",
-           o.sequence);
+  addText (
+      app,
+      "--sequence",
+      "FOLDER",
+      "frames of a result folder: color_K, depth_K, camera.txt, or a data set's; of "
+      "pcl_msf_register's the target's file",
+      o.sequence);
   addNumber (app,
              "--reference",
              "R",

@@ -66,7 +66,10 @@ constexpr const char* kSummary =
     "  pcl_msf_render FOLDER [options]\n\n"
     "RESULT is a folder that pcl_msf_scene_flow wrote: scene_flow_R_K.pcd is read,\n"
     "bodies_R.png and visibility_R_K.png when they are there. Kinds that show the\n"
-    "current frame need --sequence. FOLDER holds frames, as pcl_msf_scene_flow takes\n"
+    "current frame need --sequence. A folder of pcl_msf_register gives before_tints,\n"
+    "after_tints (with --sequence TARGET, the target's file), warped, and motions "
+    "with\n"
+    "the joints' axes. FOLDER holds frames, as pcl_msf_scene_flow takes\n"
     "them; their scene flow is computed first, with the default parameters. Without\n"
     "a display an Xvfb is started. Exit status: 0 = written, 3 = written, but a scene\n"
     "flow that was computed has not converged, else an error.";

@@ -4,10 +4,13 @@
 
 #include <pcl/common/point_tests.h>
 #include <pcl/point_cloud.h>
+#include <pcl/point_types.h>
+#include <pcl/PointIndices.h>
 #include <pcl/types.h>
 
 #include <opencv2/core.hpp>
 
+#include <pcl_msf/cloud_constraints.h>
 #include <pcl_msf/cloud_flow.h>
 #include <pcl_msf/export.h>
 #include <pcl_msf/multiframe_scene_flow.h>
@@ -40,22 +43,37 @@ allPoints (const pcl::PointCloud<PointT>& cloud)
   return image;
 }
 
+/** What nearest neighbours work on. */
+struct NeighborTask {
+  cv::Mat source;          ///< CV_32FC3, NaN = no point
+  cv::Mat target;          ///< likewise
+  pcl::Indices points;     ///< of the source that take part
+  std::vector<int> labels; ///< per source point, as CloudFlowEstimator takes segments
+  CloudConstraints constraints;
+  SolverParameters solver;
+  RigidPose start;
+};
+
+/** Labels of a cloud of any shape, as labelImage tells them. */
+PCL_MSF_EXPORT std::vector<int>
+pointLabels (const pcl::PointCloud<pcl::Label>& labels);
+
+/** Labels of a source of `size` points by clusters. A point in several belongs to the
+ * first. \throws InvalidInput for indices outside */
+PCL_MSF_EXPORT std::vector<int>
+clusterLabels (const std::vector<pcl::PointIndices>& clusters, std::size_t size);
+
 /** A CloudFlow as the results of a window of two frames, each point a pixel of an image
- * of the cloud's width and height; parts are the segments. */
+ * of the cloud's width and height; parts, or given segments, are the segments. */
 struct NeighborRegistration {
   MultiframeSceneFlow flow;
   std::vector<CloudJoint> joints;
   std::vector<int> target; ///< per source point, -1 = none
 };
 
-/** \param source, target CV_32FC3, NaN = no point
- * \param points of the source that take part \throws InvalidInput naming the remedy */
+/** \throws InvalidInput naming the remedy */
 PCL_MSF_EXPORT NeighborRegistration
-registerByNeighbors (const cv::Mat& source,
-                     const cv::Mat& target,
-                     const pcl::Indices& points,
-                     const SolverParameters& solver,
-                     const RigidPose& start);
+registerByNeighbors (const NeighborTask& task);
 
 } // namespace detail
 } // namespace pcl_msf

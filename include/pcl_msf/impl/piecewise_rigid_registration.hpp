@@ -53,6 +53,10 @@ PiecewiseRigidRegistration<PointT>::computeTransformation (PointCloudSource& out
       showResult (output, points);
       return;
     }
+    if (!constraints_.empty())
+      throw InvalidInput ("constraints are for nearest neighbours: call "
+                          "setCorrespondence (NearestNeighbor), or setCloudConstraints "
+                          "({})");
     detail::Stopwatch watch;
     const std::vector<RgbdFrame> frames = makeFrames(); // section 3.3
     const double frame_seconds = watch.lap();
@@ -128,18 +132,21 @@ PiecewiseRigidRegistration<PointT>::matchNeighbors (const pcl::Indices& points,
   if (targets_.size() != 1 || reference_ != 0)
     throw InvalidInput ("nearest neighbours take one target after the source: call "
                         "setInputTarget, or setCorrespondence (Projective)");
-  if (labels_ || !clusters_.empty())
-    throw InvalidInput ("nearest neighbours find their own segments: call "
-                        "clearSegmentation, or setCorrespondence (Projective)");
-  SolverParameters solver = getSolverParameters();
-  detail::GuardedProgress progress (solver.progress);
-  solver.progress = progress.function();
-  detail::NeighborRegistration found =
-      detail::registerByNeighbors (detail::allPoints (*aligned_),
-                                   detail::allPoints (*targets_[0]),
-                                   points,
-                                   solver,
-                                   detail::startPose (guess));
+  detail::NeighborTask task{detail::allPoints (*aligned_),
+                            detail::allPoints (*targets_[0]),
+                            points,
+                            {},
+                            constraints_,
+                            getSolverParameters(),
+                            detail::startPose (guess)};
+  requireFittingLabels();
+  if (labels_)
+    task.labels = detail::pointLabels (*labels_);
+  else if (!clusters_.empty())
+    task.labels = detail::clusterLabels (clusters_, aligned_->size());
+  detail::GuardedProgress progress (task.solver.progress);
+  task.solver.progress = progress.function();
+  detail::NeighborRegistration found = detail::registerByNeighbors (task);
   progress.rethrow();
   result_ = std::move (found.flow);
   joints_ = std::move (found.joints);
@@ -197,15 +204,22 @@ PiecewiseRigidRegistration<PointT>::makeFrames() const
 }
 
 template <typename PointT>
+void
+PiecewiseRigidRegistration<PointT>::requireFittingLabels() const
+{
+  if (labels_ &&
+      (labels_->width != aligned_->width || labels_->height != aligned_->height))
+    throw InvalidInput ("the labels have another size than the source: call "
+                        "setSegmentation with its own, or clearSegmentation");
+}
+
+template <typename PointT>
 Oversegmentation
 PiecewiseRigidRegistration<PointT>::cutSegments (const RgbdFrame& reference,
                                                  const pcl::Indices& points) const
 {
   Oversegmentation segments;
-  if (labels_ &&
-      (labels_->width != aligned_->width || labels_->height != aligned_->height))
-    throw InvalidInput ("the labels have another size than the source: call "
-                        "setSegmentation with its own, or clearSegmentation");
+  requireFittingLabels();
   if (labels_)
     segments = Oversegmentation::fromLabels (labelImage (*labels_), reference);
   else if (!clusters_.empty())

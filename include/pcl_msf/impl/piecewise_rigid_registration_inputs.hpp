@@ -142,6 +142,37 @@ PiecewiseRigidRegistration<PointT>::getIndices() const
 
 template <typename PointT>
 void
+PiecewiseRigidRegistration<PointT>::setKnownCorrespondences (
+    const pcl::Correspondences& correspondences, const std::vector<double>& weights)
+{
+  CloudConstraints constraints = constraints_;
+  constraints.pairs.clear();
+  std::string why;
+  if (!weights.empty() && weights.size() != correspondences.size())
+    why = "weights must be as many as pairs, or none";
+  for (std::size_t i = 0; i < correspondences.size() && why.empty(); ++i)
+    constraints.pairs.push_back ({correspondences[i].index_query,
+                                  correspondences[i].index_match,
+                                  weights.empty() ? 1.0 : weights[i]});
+  if (why.empty() && constraints.isValid (&why))
+    constraints_ = constraints;
+  else
+    printError ("setKnownCorrespondences", why);
+}
+
+template <typename PointT>
+pcl::Correspondences
+PiecewiseRigidRegistration<PointT>::getKnownCorrespondences() const
+{
+  pcl::Correspondences correspondences;
+  for (const KnownPair& pair : constraints_.pairs)
+    correspondences.emplace_back (
+        pair.source, pair.target, static_cast<float> (pair.weight));
+  return correspondences;
+}
+
+template <typename PointT>
+void
 PiecewiseRigidRegistration<PointT>::setMaximumIterations (int iterations)
 {
   SolverParameters parameters = getSolverParameters();

@@ -39,6 +39,21 @@ writeRegisteredCloud (const std::string& path,
                       const CloudFlow& flow,
                       const PointFile& source);
 
+/** \brief What writeRegisteredCloud wrote. */
+struct RegisteredCloud {
+  std::vector<Eigen::Vector3f> source; ///< NaN where the motion is unknown
+  std::vector<Eigen::Vector3f> warped; ///< likewise
+  std::vector<int> part;               ///< -1 = none
+};
+
+/** \throws IoError */
+PCL_MSF_EXPORT RegisteredCloud
+readRegisteredCloud (const std::string& path);
+
+/** \brief Reads what writeJoints wrote. \throws IoError */
+PCL_MSF_EXPORT std::vector<CloudJoint>
+readJoints (const std::string& path);
+
 /** \brief Writes joints as JSON: parent, child, axis, angle_deg, point, shift and
  * deviations. \throws IoError */
 PCL_MSF_EXPORT void

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <pcl_msf/cloud_flow_estimator.h>
+#include <pcl_msf/errors.h>
 #include <pcl_msf/impl/neighbor_registration.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <string>
 
 namespace pcl_msf {
 namespace detail {
@@ -28,6 +32,20 @@ pointsOf (const cv::Mat& image)
   for (std::size_t i = 0; i < points.size(); ++i)
     points[i] = pointAt (image, i);
   return points;
+}
+
+/** None of none. */
+template <typename T>
+std::vector<T>
+choose (const std::vector<T>& all, const pcl::Indices& indices)
+{
+  std::vector<T> chosen;
+  if (all.empty())
+    return chosen;
+  chosen.reserve (indices.size());
+  for (const auto index : indices)
+    chosen.push_back (all[index]);
+  return chosen;
 }
 
 SegmentMotion
@@ -64,11 +82,12 @@ fillPoint (const CloudFlow& found, std::size_t from, std::size_t to, SceneFlow& 
     return;
   const bool seen = found.confidence[from] > 0.0f;
   flow.displacement.ptr<cv::Vec3f> (0)[to] = {d.x(), d.y(), d.z()};
-  flow.labels.ptr<int> (0)[to] = found.part[from];
+  const int label = (found.segment.empty() ? found.part : found.segment)[from];
+  flow.labels.ptr<int> (0)[to] = label;
   flow.visibility.ptr<unsigned char> (0)[to] =
       seen ? Visibility::Visible : Visibility::Unknown;
-  if (found.part[from] >= 0)
-    flow.segments[found.part[from]].visible_points += seen ? 1 : 0;
+  if (label >= 0)
+    flow.segments[label].visible_points += seen ? 1 : 0;
 }
 
 /** Could a camera in the origin have seen all of the points? */
@@ -95,45 +114,143 @@ hintAtLostGrid (const cv::Mat& source, const cv::Mat& target, Report& report)
                       "filter, no removeNaNFromPointCloud or VoxelGrid";
 }
 
-} // namespace
-
-NeighborRegistration
-registerByNeighbors (const cv::Mat& source,
-                     const cv::Mat& target,
-                     const pcl::Indices& points,
-                     const SolverParameters& solver,
-                     const RigidPose& start)
+/** Pairs and weights of all source points as those of the chosen ones.
+ * \throws InvalidInput for indices that there are none of */
+CloudConstraints
+chooseConstraints (const NeighborTask& task)
 {
-  std::vector<Eigen::Vector3f> chosen;
-  chosen.reserve (points.size());
-  for (const auto index : points)
-    chosen.push_back (pointAt (source, index));
-  CloudFlow found =
-      CloudFlowEstimator (solver).estimate (chosen, pointsOf (target), start);
-  NeighborRegistration result;
-  result.joints = std::move (found.joints);
-  result.target.assign (source.total(), -1);
-  result.flow.frames.resize (2);
-  SceneFlow& flow = result.flow.frames[1];
-  prepareImages (source, flow);
-  PairMotion motion{0, 1, {}};
+  CloudConstraints chosen = task.constraints;
+  const std::size_t size = task.source.total();
+  if (!chosen.point_weights.empty() && chosen.point_weights.size() != size)
+    throw InvalidInput (
+        "there are " + std::to_string (chosen.point_weights.size()) + " weights for " +
+        std::to_string (size) +
+        " points: give setCloudConstraints one per point of the source");
+  if (!chosen.point_weights.empty())
+    chosen.point_weights = choose (task.constraints.point_weights, task.points);
+  std::vector<int> place (size, -1);
+  for (std::size_t i = 0; i < task.points.size(); ++i)
+    place[task.points[i]] = static_cast<int> (i);
+  chosen.pairs.clear();
+  for (KnownPair pair : task.constraints.pairs) {
+    if (static_cast<std::size_t> (pair.source) >= size)
+      throw InvalidInput ("a known pair has index " + std::to_string (pair.source) +
+                          ", the source only " + std::to_string (size) +
+                          " points: give indices of the two clouds");
+    pair.source = place[pair.source];
+    if (pair.source >= 0)
+      chosen.pairs.push_back (pair);
+  }
+  return chosen;
+}
+
+/** The scene flow's segments are the parts. */
+void
+addParts (const CloudFlow& found, SceneFlow& flow)
+{
   for (std::size_t p = 0; p < found.parts.size(); ++p) {
     flow.segments.push_back (motionOf (found.parts[p], static_cast<int> (p)));
     flow.group_motions.push_back (
         {found.parts[p].target_from_source, found.parts[p].information, 1});
-    motion.segments.push_back (found.parts[p].target_from_source);
   }
-  result.flow.motions.push_back (std::move (motion));
-  for (const CloudJoint& joint : result.joints)
+  for (const CloudJoint& joint : found.joints)
     flow.pairs.push_back ({joint.parent, joint.child, 0.0, 0.0});
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    fillPoint (found, i, points[i], flow);
-    result.target[points[i]] = found.target[i];
+}
+
+/** The scene flow's segments are the given ones, its groups the parts. */
+void
+addGivenSegments (const CloudFlow& found, SceneFlow& flow)
+{
+  for (const CloudPart& part : found.parts)
+    flow.group_motions.push_back ({part.target_from_source, part.information, 0});
+  for (const int part : found.segment_part) {
+    flow.segments.push_back (motionOf (found.parts[part], part));
+    flow.segments.back().points = 0;
+    flow.segments.back().centroid.setZero();
+    ++flow.group_motions[part].segments;
+  }
+  for (const auto& [first, second] : found.touching) {
+    const bool joined = found.segment_part[first] == found.segment_part[second];
+    flow.pairs.push_back ({first, second, joined ? 1.0 : 0.0, 0.0});
+  }
+}
+
+/** Points and centroids of given segments. */
+void
+countPoints (const CloudFlow& found, const pcl::Indices& points, SceneFlow& flow)
+{
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (found.part[i] >= 0) {
+      SegmentMotion& segment = flow.segments[found.segment[i]];
+      ++segment.points;
+      segment.centroid += pointAt (flow.points, points[i]).cast<double>();
+    }
+  for (SegmentMotion& segment : flow.segments)
+    segment.centroid /= std::max (1, segment.points);
+}
+
+} // namespace
+
+std::vector<int>
+pointLabels (const pcl::PointCloud<pcl::Label>& labels)
+{
+  std::vector<int> result;
+  for (const pcl::Label& l : labels.points) {
+    constexpr std::uint32_t largest = std::numeric_limits<int>::max();
+    result.push_back (l.label <= largest ? static_cast<int> (l.label) : -1);
+  }
+  return result;
+}
+
+std::vector<int>
+clusterLabels (const std::vector<pcl::PointIndices>& clusters, std::size_t size)
+{
+  std::vector<int> labels (size, -1);
+  for (std::size_t k = 0; k < clusters.size(); ++k)
+    for (const auto index : clusters[k].indices) {
+      if (index < 0 || static_cast<std::size_t> (index) >= size)
+        throw InvalidInput ("cluster " + std::to_string (k) + " has index " +
+                            std::to_string (index) + ", the cloud only " +
+                            std::to_string (size) +
+                            " points: give setSegmentation the source's own clusters");
+      if (labels[index] < 0)
+        labels[index] = static_cast<int> (k);
+    }
+  return labels;
+}
+
+NeighborRegistration
+registerByNeighbors (const NeighborTask& task)
+{
+  const CloudFlowEstimator estimator (task.solver, chooseConstraints (task));
+  CloudFlow found = estimator.estimate (choose (pointsOf (task.source), task.points),
+                                        pointsOf (task.target),
+                                        task.start,
+                                        choose (task.labels, task.points));
+  NeighborRegistration result;
+  result.joints = found.joints;
+  result.target.assign (task.source.total(), -1);
+  result.flow.frames.resize (2);
+  SceneFlow& flow = result.flow.frames[1];
+  prepareImages (task.source, flow);
+  if (found.segment.empty())
+    addParts (found, flow);
+  else {
+    addGivenSegments (found, flow);
+    countPoints (found, task.points, flow);
+  }
+  PairMotion motion{0, 1, {}};
+  for (const SegmentMotion& segment : flow.segments)
+    motion.segments.push_back (segment.current_from_reference);
+  result.flow.motions.push_back (std::move (motion));
+  for (std::size_t i = 0; i < task.points.size(); ++i) {
+    fillPoint (found, i, task.points[i], flow);
+    result.target[task.points[i]] = found.target[i];
   }
   flow.groups = static_cast<int> (found.parts.size());
   flow.dominant_group = 0;
   flow.dominant_motion = found.parts.front().target_from_source;
-  hintAtLostGrid (source, target, found.report);
+  hintAtLostGrid (task.source, task.target, found.report);
   flow.report = found.report;
   result.flow.frames[0].report = found.report;
   return result;

@@ -18,13 +18,13 @@ RegistrationSettings::setSourceNormals (const NormalCloudConstPtr& normals)
 void
 RegistrationSettings::setSegmentation (const LabelCloudConstPtr& labels)
 {
-  if (labels && labels->height > 1) {
+  if (labels && !labels->points.empty()) {
     labels_ = labels;
     clusters_.clear();
   }
   else
     printError ("setSegmentation",
-                "the labels are not organized: give one per point of the source; "
+                "there are no labels: give one per point of the source; "
                 "clearSegmentation returns to segments by parameters");
 }
 
@@ -50,6 +50,16 @@ RegistrationSettings::setCorrespondence (CorrespondenceMethod method)
     correspondence_ = method;
   else
     printError ("setCorrespondence", "not a value of CorrespondenceMethod");
+}
+
+void
+RegistrationSettings::setCloudConstraints (const CloudConstraints& constraints)
+{
+  std::string why;
+  if (constraints.isValid (&why))
+    constraints_ = constraints;
+  else
+    printError ("setCloudConstraints", why);
 }
 
 void

@@ -25,30 +25,42 @@ secondsSince (std::chrono::steady_clock::time_point begin)
 
 } // namespace
 
-CloudFlowEstimator::CloudFlowEstimator (SolverParameters solver)
-: solver_ (std::move (solver))
+CloudFlowEstimator::CloudFlowEstimator (SolverParameters solver,
+                                        CloudConstraints constraints)
+: solver_ (std::move (solver)), constraints_ (std::move (constraints))
 {
   std::string why;
-  if (!solver_.isValid (&why))
+  if (!solver_.isValid (&why) || !constraints_.isValid (&why))
     throw InvalidInput (why);
 }
 
 CloudFlow
 CloudFlowEstimator::estimate (const std::vector<Eigen::Vector3f>& source,
                               const std::vector<Eigen::Vector3f>& target,
-                              const RigidPose& start) const
+                              const RigidPose& start,
+                              const std::vector<int>& segments) const
 {
   const auto begin = std::chrono::steady_clock::now();
   const int threads = threadCount (solver_.threads);
   const Tuning tuning = currentTuning();
   SolveProgress progress (solver_, kSteps);
-  const PointClouds clouds = preparePointClouds (source, target, tuning, threads);
+  const GivenSegments given = numberSegments (segments, source);
+  const PointClouds clouds =
+      preparePointClouds (source, target, tuning, threads, given.of);
+  const PriorKnowledge prior =
+      priorKnowledge (constraints_, clouds, given, source, target);
   const double segment_seconds = secondsSince (begin);
-  PointSolve solve (clouds, clouds.scaled (start), tuning, threads, progress);
+  PointSolve solve (clouds, prior, clouds.scaled (start), tuning, threads, progress);
   solve.run();
   const double solve_seconds = secondsSince (begin) - segment_seconds;
-  CloudFlow flow = makeCloudFlow (
-      clouds, solve, source, solver_.merge_bodies, tuning.points, threads);
+  CloudFlow flow = makeCloudFlow (clouds,
+                                  prior,
+                                  given,
+                                  solve,
+                                  source,
+                                  solver_.merge_bodies,
+                                  tuning.points,
+                                  threads);
   noteOutcome (progress, tuning.points.result, flow);
   flow.report.segment_seconds = segment_seconds;
   flow.report.solve_seconds = solve_seconds;

@@ -3,6 +3,7 @@
 #include "core/points/point_clouds.h"
 
 #include "core/base/number_text.h"
+#include "core/points/given_segments.h"
 #include "core/surface/thinning.h"
 #include <pcl_msf/errors.h>
 
@@ -79,10 +80,11 @@ requireFineSteps (double farthest, double size)
   throw InvalidInput (text.str());
 }
 
-/** \param points scaled */
+/** \param points scaled \param segments per point, of the chosen >= 0, or empty */
 WorkingCloud
 makeWorkingCloud (const std::vector<Eigen::Vector3f>& points,
                   const std::vector<int>& chosen,
+                  const std::vector<int>& segments,
                   const char* name,
                   const Tuning& tuning,
                   int threads)
@@ -102,6 +104,13 @@ makeWorkingCloud (const std::vector<Eigen::Vector3f>& points,
   requireEnough (cloud.given.size(), name);
   cloud.samples = thinPoints (
       cloud.surface.points, cloud.surface.normals, tuning.points.clouds.samples);
+  if (!segments.empty()) {
+    for (const int i : cloud.given)
+      cloud.segment.push_back (segments[i]);
+    closeGaps (cloud.segment);
+    bridgeSegments (cloud.surface, cloud.segment, threads);
+    cloud.samples = sampleEach (cloud.samples, cloud.segment);
+  }
   cloud.thin = thinSurface (cloud.surface, cloud.samples, tuning.surface, threads);
   return cloud;
 }
@@ -126,11 +135,18 @@ PointClouds
 preparePointClouds (const std::vector<Eigen::Vector3f>& source,
                     const std::vector<Eigen::Vector3f>& target,
                     const Tuning& tuning,
-                    int threads)
+                    int threads,
+                    const std::vector<int>& segments)
 {
+  const char* const name = segments.empty() ? "source" : "segmented source";
   PointClouds clouds;
   std::vector<int> finite = finitePoints (source);
-  requireEnough (finite.size(), "source");
+  if (!segments.empty())
+    finite.erase (std::remove_if (finite.begin(),
+                                  finite.end(),
+                                  [&segments] (int i) { return segments[i] < 0; }),
+                  finite.end());
+  requireEnough (finite.size(), name);
   Eigen::Vector3d low = source[finite[0]].cast<double>();
   Eigen::Vector3d high = low;
   for (const int i : finite) {
@@ -150,9 +166,9 @@ preparePointClouds (const std::vector<Eigen::Vector3f>& source,
     return scaled;
   };
   clouds.source =
-      makeWorkingCloud (scale (source), std::move (finite), "source", tuning, threads);
+      makeWorkingCloud (scale (source), finite, segments, name, tuning, threads);
   clouds.target = makeWorkingCloud (
-      scale (target), finitePoints (target), "target", tuning, threads);
+      scale (target), finitePoints (target), {}, "target", tuning, threads);
   return clouds;
 }
 

@@ -15,6 +15,8 @@ struct WorkingCloud {
   Surface surface;          ///< scaled
   std::vector<int> given;   ///< per working point, its index in the cloud
   std::vector<int> samples; ///< of the surface, evenly spread
+  std::vector<int> segment; ///< per working point, of given ones: 0, 1, .. without
+                            ///< gaps; empty = none are given
   Surface thin;             ///< of the samples alone
 };
 
@@ -45,11 +47,14 @@ struct PointClouds {
 
 /** \brief Prepares two clouds: without points that are not finite, doubled or off every
  * surface, and at most as many as are of use.
+ * \param segments given ones, per source point; -1 = it takes no part; empty = none are
+ * given
  * \throws InvalidInput naming the remedy when too few remain */
 PointClouds
 preparePointClouds (const std::vector<Eigen::Vector3f>& source,
                     const std::vector<Eigen::Vector3f>& target,
                     const Tuning& tuning,
-                    int threads);
+                    int threads,
+                    const std::vector<int>& segments = {});
 
 } // namespace pcl_msf

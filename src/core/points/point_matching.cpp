@@ -195,9 +195,12 @@ MatchTarget::pulls (const MovedPoints& moved, const MatchRules& rules, int threa
 }
 
 std::pair<double, double>
-MatchTarget::explained (const MovedPoints& moved, const MatchRules& rules, int threads)
+MatchTarget::explained (const MovedPoints& moved,
+                        const MatchRules& rules,
+                        const std::vector<float>& weights,
+                        int threads)
 {
-  const auto [forward, backward] =
+  auto [forward, backward] =
       scores<double> (moved, rules, threads, [&] (int i, int j, bool forward) {
         return forward && surface_.border[j] ? 0.0 : weight (moved, i, j, rules);
       });
@@ -205,7 +208,15 @@ MatchTarget::explained (const MovedPoints& moved, const MatchRules& rules, int t
     return std::accumulate (weights.begin(), weights.end(), 0.0) /
            static_cast<double> (std::max<std::size_t> (1, weights.size()));
   };
-  return {mean (forward), mean (backward)};
+  if (weights.empty())
+    return {mean (forward), mean (backward)};
+  double all = 0.0;
+  for (std::size_t i = 0; i < forward.size(); ++i) {
+    forward[i] *= weights[i];
+    all += weights[i];
+  }
+  all = all > 0.0 ? all / static_cast<double> (forward.size()) : 1.0;
+  return {mean (forward) / all, mean (backward)};
 }
 
 std::vector<float>

@@ -93,9 +93,12 @@ public:
   pulls (const MovedPoints& moved, const MatchRules& rules, int threads);
 
   /** \brief Shares of the moved points and of the target's samples that have a match.
-   */
+   * \param weights of the moved points, may be empty */
   std::pair<double, double>
-  explained (const MovedPoints& moved, const MatchRules& rules, int threads);
+  explained (const MovedPoints& moved,
+             const MatchRules& rules,
+             const std::vector<float>& weights,
+             int threads);
 
   /** \brief Per moved point, how far it is from the plane at its match: `most` when it
    * has none, is farther from it than that, or does not face it. */

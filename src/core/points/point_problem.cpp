@@ -13,11 +13,13 @@
 namespace pcl_msf {
 
 PointProblem::PointProblem (const PointSamples& samples,
+                            const PointSamples& known,
                             const SurfaceSegments& segments,
                             const PointEnergyWeights& weights,
                             int threads,
                             std::vector<RigidPose>& poses)
 : samples_ (samples)
+, known_ (known)
 , segments_ (segments)
 , weights_ (weights)
 , threads_ (threads)
@@ -30,6 +32,9 @@ PointProblem::PointProblem (const PointSamples& samples,
   for (int i = 0; i < samples.size(); ++i)
     for (const Membership& m : samples.members[i])
       shares_[m.segment].push_back ({i, m.weight});
+  for (int i = 0; i < known.size(); ++i)
+    for (const Membership& m : known.members[i])
+      shares_[m.segment].push_back ({samples.size() + i, m.weight});
   for (int k = 0; k < segments.size(); ++k)
     motions_.emplace_back (poses_[k], segments.centroids[k]);
   ceres::Problem::Options options;
@@ -46,6 +51,9 @@ PointProblem::PointProblem (const PointSamples& samples,
                                 steps_[link.first].data(),
                                 steps_[link.second].data());
   }
+  for (int k = 0; k < segments.size(); ++k)
+    if (segments.isFixed (k))
+      problem_->SetParameterBlockConstant (steps_[k].data());
 }
 
 void
@@ -60,7 +68,7 @@ PointProblem::fillSegment (int segment, bool with_jacobian)
   double cost = 0.0;
   for (const Share& share : shares_[segment]) {
     const PointPull& pull = (*pulls_)[share.sample];
-    const Eigen::Vector3d x = motion * samples_.points[share.sample].cast<double>();
+    const Eigen::Vector3d x = motion * pointAt (share.sample).cast<double>();
     const Eigen::Vector3d ax = pull.a * x;
     const double w = scale * share.weight;
     cost += w * (0.5 * x.dot (ax) - pull.b.dot (x) + pull.c);

@@ -28,15 +28,18 @@ struct PointEnergyWeights {
  * its best value (Eq. 11) before each step. */
 class PointProblem : public ceres::EvaluationCallback {
 public:
-  /** All must outlive the problem; the poses are the unknowns. */
+  /** All must outlive the problem; the poses are the unknowns, but those of fixed
+   * segments. \param known further points that are pulled at */
   PointProblem (const PointSamples& samples,
+                const PointSamples& known,
                 const SurfaceSegments& segments,
                 const PointEnergyWeights& weights,
                 int threads,
                 std::vector<RigidPose>& poses);
 
-  /** \brief A few Levenberg-Marquardt steps with the pulls as they are. \return the
-   * energy after it */
+  /** \brief A few Levenberg-Marquardt steps with the pulls as they are.
+   * \param pulls at the samples, then at the known points \return the energy after it
+   */
   double
   step (const std::vector<PointPull>& pulls, int iterations);
 
@@ -49,12 +52,19 @@ private:
     float weight;
   };
 
+  const Eigen::Vector3f&
+  pointAt (int place) const
+  {
+    return place < samples_.size() ? samples_.points[place]
+                                   : known_.points[place - samples_.size()];
+  }
   void
   relaxWeights ();
   void
   fillSegment (int segment, bool with_jacobian);
 
   const PointSamples& samples_;
+  const PointSamples& known_;
   const SurfaceSegments& segments_;
   PointEnergyWeights weights_;
   int threads_;

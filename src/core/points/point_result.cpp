@@ -70,6 +70,28 @@ addJoints (const PointClouds& clouds,
   }
 }
 
+/** What became of given segments. */
+void
+tellSegments (const PointClouds& clouds,
+              const GivenSegments& given,
+              const std::vector<Eigen::Vector3f>& source,
+              const SurfaceSegments& segments,
+              const RigidParts& parts,
+              CloudFlow& flow)
+{
+  flow.segment = given.of;
+  std::vector<int> part_of (segments.size(), -1); // of the working ones
+  std::vector<int> number (segments.size(), -1);
+  for (std::size_t i = 0; i < parts.part.size(); ++i) {
+    part_of[segments.label[i]] = parts.part[i];
+    number[segments.label[i]] = given.of[clouds.source.given[i]];
+  }
+  for (const int segment : workingSegments (clouds, given, source))
+    flow.segment_part.push_back (part_of[segment]);
+  for (const SegmentLink& link : segments.links)
+    flow.touching.push_back ({number[link.first], number[link.second]});
+}
+
 /** How well the clouds lie on each other. \return the confidence per working point */
 std::vector<float>
 judge (const PointClouds& clouds,
@@ -106,10 +128,11 @@ judge (const PointClouds& clouds,
   return confidence;
 }
 
-/** Every given point goes as the nearest working point; that knows its part's pose or,
- * where motions blend, its own shift. */
+/** Every point goes as the nearest working point; that knows its part's pose or, where
+ * motions blend, its own shift. Those of given segments go with their part. */
 void
 carryAll (const PointClouds& clouds,
+          const GivenSegments& given,
           const RigidParts& parts,
           const std::vector<Eigen::Vector3f>& source,
           const std::vector<float>& confidence,
@@ -125,16 +148,19 @@ carryAll (const PointClouds& clouds,
   flow.target.assign (n, -1);
   flow.confidence.assign (n, 0.0f);
   parallelFor (threads, static_cast<int> (n), 256, [&] (int i) {
-    if (!source[i].allFinite())
+    const bool whole = !given.of.empty();
+    if (!source[i].allFinite() || (whole && given.of[i] < 0))
       return;
     const Eigen::Vector3f p = clouds.scaled (source[i]);
     const int k = tree.nearest (p).index;
-    const RigidPose& pose = parts.poses[parts.part[k]];
+    const int part = whole ? flow.segment_part[given.of[i]] : parts.part[k];
+    const RigidPose& pose = parts.poses[part];
     const Eigen::Vector3f offset =
         (pose.rotation() * (p - surface.points[k]).cast<double>()).cast<float>();
-    const Eigen::Vector3f moved = parts.points[k] + offset;
+    const Eigen::Vector3f moved = whole ? (pose * p.cast<double>()).cast<float>().eval()
+                                        : (parts.points[k] + offset).eval();
     flow.warped[i] = clouds.asGiven (moved);
-    flow.part[i] = parts.part[k];
+    flow.part[i] = part;
     flow.confidence[i] = confidence[k];
     const int j = target_tree.nearest (moved).index;
     flow.target[i] = j < 0 ? -1 : clouds.target.given[j];
@@ -148,6 +174,8 @@ carryAll (const PointClouds& clouds,
 
 CloudFlow
 makeCloudFlow (const PointClouds& clouds,
+               const PriorKnowledge& prior,
+               const GivenSegments& given,
                PointSolve& solve,
                const std::vector<Eigen::Vector3f>& source,
                bool merge,
@@ -155,13 +183,16 @@ makeCloudFlow (const PointClouds& clouds,
                int threads)
 {
   CloudFlow flow;
-  const RigidParts parts = findParts (clouds, solve, merge, tuning.parts, threads);
+  const RigidParts parts =
+      findParts (clouds, prior, solve, merge, tuning.parts, threads);
   addParts (clouds, parts, flow);
   addJoints (clouds, parts, tuning.result.joint_share, flow);
+  if (!given.labels.empty())
+    tellSegments (clouds, given, source, solve.segments(), parts, flow);
   const MovedPoints moved{parts.points, parts.normals};
   const std::vector<float> confidence =
       judge (clouds, solve, moved, tuning.result, threads, flow);
-  carryAll (clouds, parts, source, confidence, threads, flow);
+  carryAll (clouds, given, parts, source, confidence, threads, flow);
   return flow;
 }
 

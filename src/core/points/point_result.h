@@ -12,6 +12,8 @@ namespace pcl_msf {
 /** \brief The result of a solve: parts, joints, and all points of the source moved. */
 CloudFlow
 makeCloudFlow (const PointClouds& clouds,
+               const PriorKnowledge& prior,
+               const GivenSegments& given,
                PointSolve& solve,
                const std::vector<Eigen::Vector3f>& source,
                bool merge,

@@ -5,19 +5,13 @@
 #include "core/points/isometry.h"
 #include "core/points/point_clouds.h"
 #include "core/points/point_problem.h"
+#include "core/points/prior_knowledge.h"
+#include "core/points/sample_cuts.h"
 #include "core/points/solve_progress.h"
 
 #include <vector>
 
 namespace pcl_msf {
-
-/** \brief A cut of the source's surface, and how its samples see it. */
-struct SampleCut {
-  SurfaceSegments segments;
-  std::vector<int> seeds;                       ///< per segment, the sample at its seed
-  std::vector<int> label;                       ///< per sample
-  std::vector<std::vector<Membership>> members; ///< per sample
-};
 
 /** \brief Which anchors a fresh start relies on. */
 struct LimbAnchors {
@@ -26,12 +20,14 @@ struct LimbAnchors {
 };
 
 /** \brief Finds a motion per segment of the source, coarse to fine, then again with
- * limbs that moved far started from what their distances along the surface say. */
+ * limbs that moved far started from what their distances along the surface say. Known
+ * pairs pull all the way. */
 class PointSolve {
 public:
   /** \param start of all segments, on scaled points
-   * \param clouds, tuning must outlive this */
+   * \param clouds, prior, tuning must outlive this */
   PointSolve (const PointClouds& clouds,
+              const PriorKnowledge& prior,
               const RigidPose& start,
               const Tuning& tuning,
               int threads,
@@ -70,6 +66,8 @@ private:
   match (const PointStage& stage,
          MatchTarget& target,
          const std::vector<PointPair>& pairs = {});
+  MatchRules
+  tightRules () const;
   std::vector<PointPair>
   isometricPairs (const LimbAnchors& anchors);
   void
@@ -79,7 +77,15 @@ private:
             double share,
             std::vector<PointPull>& pulls) const;
   void
+  addKnown (double share, std::vector<PointPull>& pulls) const;
+  void
   followPairs (const std::vector<PointPair>& pairs);
+  double
+  missed () const;
+  void
+  descend (int first, int last);
+  void
+  chooseStart ();
   bool
   startAnew (const std::vector<PointPair>& pairs);
   double
@@ -94,12 +100,14 @@ private:
   explained ();
 
   const PointClouds& clouds_;
+  const PriorKnowledge& prior_;
   const PointTuning& tuning_;
   int threads_;
   SolveProgress& progress_;
   std::vector<SampleCut> cuts_; ///< per stage
   int cut_{0};
   PointSamples samples_;
+  PointSamples known_;           ///< points of known pairs
   std::vector<RigidPose> poses_; ///< per segment of the present cut
   double promised_{0.0}; ///< the most that was explained where fresh starts begin
   MatchTarget coarse_;

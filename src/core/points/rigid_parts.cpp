@@ -3,11 +3,11 @@
 #include "core/points/rigid_parts.h"
 
 #include "core/base/parallel_for.h"
+#include "core/points/part_borders.h"
 #include "core/points/part_seams.h"
 #include "core/points/residual_scale.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <set>
@@ -17,24 +17,15 @@ namespace pcl_msf {
 
 namespace {
 
-MatchRules
-fineRules (double distance, const PointPartTuning& tuning)
-{
-  MatchRules rules;
-  rules.distance = distance;
-  rules.normal_length = tuning.normal_length;
-  rules.isotropy = tuning.isotropy;
-  rules.backward = 0.0;
-  return rules;
-}
-
 class PartFinder {
 public:
   PartFinder (const PointClouds& clouds,
+              const PriorKnowledge& prior,
               PointSolve& solve,
               const PointPartTuning& tuning,
               int threads)
   : source_ (clouds.source.surface)
+  , prior_ (prior)
   , segments_ (solve.segments())
   , target_ (solve.fineTarget())
   , spacing_ (clouds.target.surface.median_spacing)
@@ -54,13 +45,15 @@ public:
         target_.pulls (moved, fineRules (tuning_.reach * spacing_, tuning_), threads_);
     variance_ =
         std::pow (std::max (deviationOf (moved, pulls), tuning_.floor * spacing_), 2);
-    if (merge) {
-      mergeSegments (pulls);
+    if (merge || segments_.given) {
+      part_poses_ = poses_;
+      if (merge)
+        mergeSegments (pulls);
       chooseBodies();
       drawBorders();
       for (int round = 0; round < tuning_.polish; ++round)
         polish();
-      for (int round = 0; round < tuning_.absorb && absorb(); ++round)
+      for (int round = 0; round < tuning_.absorb && merge && absorb(); ++round)
         polish();
     }
     return result();
@@ -70,122 +63,79 @@ private:
   void
   mergeSegments (const std::vector<PointPull>& pulls)
   {
-    std::vector<RigidMoments> moments (segments_.size());
-    for (int i = 0; i < source_.size(); ++i)
-      moments[segments_.label[i]].add (source_.points[i].cast<double>(), pulls[i], 1.0);
-    const MergedParts merged =
-        mergeParts (moments, poses_, segments_.links, variance_, tuning_);
+    std::vector<SegmentLink> links;
+    for (const SegmentLink& link : segments_.links)
+      if (!segments_.isFixed (link.first) && !segments_.isFixed (link.second))
+        links.push_back (link);
+    const MergedParts merged = mergeParts (
+        momentsOf (segments_.label, pulls), poses_, links, variance_, tuning_);
     part_of_ = merged.part_of;
     part_poses_ = merged.poses;
+    for (int k = 0; k < segments_.size(); ++k)
+      if (segments_.isFixed (k))
+        part_poses_[part_of_[k]] = poses_[k];
   }
-  /** Which parts are rigid bodies. */
+  /** Of matches and known pairs, per label of the points. A pair of weight 1 is known
+   * to about a spacing. */
+  std::vector<RigidMoments>
+  momentsOf (const std::vector<int>& label, std::vector<PointPull> pulls) const
+  {
+    prior_.weigh ({}, pulls);
+    std::vector<RigidMoments> moments (part_poses_.size());
+    for (int i = 0; i < source_.size(); ++i)
+      moments[label[i]].add (source_.points[i].cast<double>(), pulls[i], 1.0);
+    const double unit = variance_ / (spacing_ * spacing_);
+    for (const KnownPoint& known : prior_.points)
+      moments[label[known.place]].add (
+          known.point.cast<double>(), known.pull (unit), 1.0);
+    return moments;
+  }
+  /** Which parts are rigid bodies, and which of these are fitted on their own: small
+   * ones keep what their neighbours told them. */
   void
   chooseBodies ()
   {
     std::vector<int> sizes (part_poses_.size(), 0);
     for (const int label : segments_.label)
       ++sizes[part_of_[label]];
-    rigid_.assign (sizes.size(), 0);
+    free_.assign (sizes.size(), 0);
     for (std::size_t p = 0; p < sizes.size(); ++p)
-      rigid_[p] = sizes[p] >= tuning_.rigid_share * source_.size();
+      free_[p] = sizes[p] >= tuning_.rigid_share * source_.size();
+    rigid_ = free_;
+    if (segments_.given)
+      rigid_.assign (sizes.size(), 1);
+    for (int k = 0; k < segments_.size(); ++k)
+      if (segments_.isFixed (k))
+        free_[part_of_[k]] = 0;
     for (int k = 0; k < segments_.size(); ++k)
       if (rigid_[part_of_[k]])
         poses_[k] = part_poses_[part_of_[k]];
   }
-  /** Points between parts go with the one whose motion fits them best. */
+  /** Points between parts go with the one whose motion fits them best; given segments
+   * stay whole. */
   void
   drawBorders ()
   {
-    constexpr int most = 3; // parts that a point may choose among
-    const int n = source_.size();
-    std::vector<std::array<int, most>> parts (n);
-    std::vector<std::array<float, most>> costs (n);
-    parallelFor (threads_, n, 64, [&] (int i) {
-      parts[i].fill (-1);
-      costs[i].fill (0.0f);
-      int count = 0;
-      const auto offer = [&] (int part) {
-        for (int c = 0; c < count; ++c)
-          if (parts[i][c] == part)
-            return;
-        if (count < most)
-          parts[i][count++] = part;
-      };
-      offer (part_of_[segments_.label[i]]);
-      for (const Membership& m : segments_.members[i])
-        if (rigid_[part_of_[m.segment]])
-          offer (part_of_[m.segment]);
-    });
-    chooseParts<most> (parts, costs);
-  }
-  template <int Most>
-  void
-  chooseParts (const std::vector<std::array<int, Most>>& parts,
-               std::vector<std::array<float, Most>>& costs)
-  {
-    const int n = source_.size();
-    part_.resize (n);
-    for (int c = 0; c < Most; ++c) { // one candidate after the other, all points
-      PointSamples some;
-      std::vector<int> place;
-      for (int i = 0; i < n; ++i)
-        if (parts[i][1] >= 0 && parts[i][c] >= 0) {
-          const bool rigid = rigid_[parts[i][c]] != 0;
-          some.points.push_back (source_.points[i]);
-          some.normals.push_back (source_.normals[i]);
-          some.members.push_back (rigid ? oneOf (parts[i][c]) : segments_.members[i]);
-          place.push_back (i);
-        }
-      const MovedPoints moved = movePoints (some, poses_, threads_);
-      const std::vector<float> cost =
-          target_.distances (moved,
-                             fineRules (tuning_.reach * spacing_, tuning_),
-                             tuning_.limit * spacing_,
-                             threads_);
-      for (std::size_t k = 0; k < place.size(); ++k)
-        costs[place[k]][c] = cost[k];
+    if (segments_.given)
+      for (const int label : segments_.label)
+        part_.push_back (part_of_[label]);
+    else
+      part_ = borders().draw (target_, spacing_, tuning_, threads_);
+    for (const KnownPoint& known : prior_.points) {
+      const int own = part_of_[segments_.label[known.place]];
+      int& drawn = part_[known.place];
+      if (rigid_[own] && rigid_[drawn] &&
+          pairCost (known, own) < pairCost (known, drawn))
+        drawn = own;
     }
-    for (int round = 0; round < tuning_.smoothing; ++round)
-      smooth<Most> (parts, costs);
-    for (int i = 0; i < n; ++i) {
-      int best = 0;
-      for (int c = 1; c < Most; ++c)
-        if (parts[i][c] >= 0 && costs[i][c] < costs[i][best])
-          best = c;
-      part_[i] = parts[i][best];
+    for (int i = 0; i < source_.size(); ++i)
       if (rigid_[part_[i]])
-        all_.members[i] = oneOf (part_[i]);
-    }
+        all_.members[i] = borders().oneOf (part_[i]);
   }
-  template <int Most>
-  void
-  smooth (const std::vector<std::array<int, Most>>& parts,
-          std::vector<std::array<float, Most>>& costs) const
+  PartBorders
+  borders () const
   {
-    const std::vector<std::array<float, Most>> before = costs;
-    parallelFor (threads_, source_.size(), 256, [&] (int i) {
-      if (parts[i][1] < 0)
-        return;
-      for (int c = 0; c < Most && parts[i][c] >= 0; ++c) {
-        float sum = before[i][c];
-        float weight = 1.0f;
-        for (const SurfaceEdge* e = source_.graph.begin (i); e != source_.graph.end (i);
-             ++e)
-          for (int d = 0; d < Most; ++d)
-            if (parts[e->to][d] == parts[i][c] && parts[e->to][1] >= 0) {
-              sum += before[e->to][d];
-              weight += 1.0f;
-            }
-        costs[i][c] = sum / weight;
-      }
-    });
-  }
-  /** A point that follows a part as a whole. */
-  std::vector<Membership>
-  oneOf (int part) const
-  {
-    const auto k = std::find (part_of_.begin(), part_of_.end(), part);
-    return {{static_cast<int> (k - part_of_.begin()), 1.0f}};
+    return {source_, segments_, part_of_, rigid_, poses_};
   }
   void
   polish ()
@@ -194,16 +144,38 @@ private:
     MatchRules rules = fineRules (spacing_, tuning_);
     rules.plane = tuning_.outlying * std::sqrt (variance_);
     const std::vector<PointPull> pulls = target_.pulls (moved, rules, threads_);
-    moments_.assign (part_poses_.size(), {});
-    for (int i = 0; i < source_.size(); ++i)
-      moments_[part_[i]].add (source_.points[i].cast<double>(), pulls[i], 1.0);
+    moments_ = momentsOf (part_, pulls);
     holdSeams (seamsBetween (source_, part_), part_poses_, rigid_, tuning_, moments_);
     for (std::size_t p = 0; p < part_poses_.size(); ++p)
-      if (rigid_[p])
+      if (free_[p])
         part_poses_[p] = moments_[p].solve (part_poses_[p]);
     for (int k = 0; k < segments_.size(); ++k)
       if (rigid_[part_of_[k]])
         poses_[k] = part_poses_[part_of_[k]];
+  }
+  /** Halved squared deviations of a known pair with a part's motion. */
+  double
+  pairCost (const KnownPoint& known, int part) const
+  {
+    const Eigen::Vector3d moved = part_poses_[part] * known.point.cast<double>();
+    return 0.5 * known.weight * (moved - known.target).squaredNorm() /
+           (spacing_ * spacing_);
+  }
+  /** Do known pairs let a part go with another one? */
+  bool
+  pairsAllow (int part, int other) const
+  {
+    double cost = 0.0;
+    for (const KnownPoint& known : prior_.points)
+      if (part_[known.place] == part)
+        cost += pairCost (known, other) - pairCost (known, part);
+    return cost <= tuning_.allowance;
+  }
+  bool
+  fixed (int part) const
+  {
+    const auto k = std::find (part_of_.begin(), part_of_.end(), part);
+    return segments_.isFixed (static_cast<int> (k - part_of_.begin()));
   }
   /** Pairs of parts that touch, the smaller one first. */
   std::set<std::pair<int, int>>
@@ -215,7 +187,7 @@ private:
       int b = seam.second;
       if (std::make_pair (sizes[b], b) < std::make_pair (sizes[a], a))
         std::swap (a, b);
-      if (rigid_[b])
+      if (rigid_[b] && !fixed (a) && !fixed (b) && pairsAllow (a, b))
         pairs.insert ({a, b});
     }
     return pairs;
@@ -228,7 +200,7 @@ private:
     for (const int i : points) {
       some.points.push_back (source_.points[i]);
       some.normals.push_back (source_.normals[i]);
-      some.members.push_back (other >= 0 ? oneOf (other) : all_.members[i]);
+      some.members.push_back (other >= 0 ? borders().oneOf (other) : all_.members[i]);
     }
     double sum = 0.0;
     for (const float d :
@@ -272,7 +244,7 @@ private:
       any = true;
       for (const int i : points[a]) {
         part_[i] = b;
-        all_.members[i] = oneOf (b);
+        all_.members[i] = borders().oneOf (b);
       }
       for (int k = 0; k < segments_.size(); ++k)
         if (part_of_[k] == static_cast<int> (a))
@@ -316,6 +288,7 @@ private:
   }
 
   const Surface& source_;
+  const PriorKnowledge& prior_;
   const SurfaceSegments& segments_;
   MatchTarget& target_;
   double spacing_;
@@ -328,6 +301,7 @@ private:
   std::vector<RigidPose> part_poses_; ///< per part
   std::vector<RigidMoments> moments_; ///< per part
   std::vector<char> rigid_;           ///< per part
+  std::vector<char> free_;            ///< per part: fitted on its own
   std::vector<int> part_;             ///< per working point
 };
 
@@ -335,12 +309,13 @@ private:
 
 RigidParts
 findParts (const PointClouds& clouds,
+           const PriorKnowledge& prior,
            PointSolve& solve,
            bool merge,
            const PointPartTuning& tuning,
            int threads)
 {
-  return PartFinder (clouds, solve, tuning, threads).run (merge);
+  return PartFinder (clouds, prior, solve, tuning, threads).run (merge);
 }
 
 } // namespace pcl_msf

@@ -21,9 +21,11 @@ struct RigidParts {
 
 /** \brief Merges segments that move as one. A part that is large enough for a body of
  * its own moves rigidly up to its border, its motion fitted to all of its points; on
- * the rest of the surface motions blend. \param merge false: every segment is a part */
+ * the rest of the surface motions blend. Given segments are rigid and stay whole.
+ * \param merge false: every segment is a part */
 RigidParts
 findParts (const PointClouds& clouds,
+           const PriorKnowledge& prior,
            PointSolve& solve,
            bool merge,
            const PointPartTuning& tuning,

@@ -229,6 +229,33 @@ makeCleanSurface (std::vector<Eigen::Vector3f> points,
   return surface;
 }
 
+void
+bridgeSegments (Surface& surface, const std::vector<int>& segment, int threads)
+{
+  constexpr int kNeighbors = 30;
+  constexpr float kReach = 4.0f; // median spacings
+  const float reach = kReach * static_cast<float> (surface.median_spacing);
+  const std::vector<int> piece = surface.graph.pieces();
+  if (*std::max_element (piece.begin(), piece.end()) == 0)
+    return;
+  const Neighbors neighbors =
+      findNeighbors (surface.points, PointTree (surface.points), kNeighbors, threads);
+  std::vector<std::pair<int, int>> pairs;
+  for (int i = 0; i < surface.size(); ++i) {
+    for (const SurfaceEdge* e = surface.graph.begin (i); e != surface.graph.end (i);
+         ++e)
+      if (i < e->to)
+        pairs.emplace_back (i, e->to);
+    for (const FoundPoint& f : neighbors[i])
+      if (f.squared_distance < reach * reach && piece[f.index] != piece[i] &&
+          segment[f.index] != segment[i])
+        pairs.emplace_back (std::min (i, f.index), std::max (i, f.index));
+  }
+  std::sort (pairs.begin(), pairs.end());
+  pairs.erase (std::unique (pairs.begin(), pairs.end()), pairs.end());
+  surface.graph = SurfaceGraph (surface.points, std::move (pairs));
+}
+
 Surface
 thinSurface (const Surface& surface,
              const std::vector<int>& chosen,

@@ -47,4 +47,9 @@ makeCleanSurface (std::vector<Eigen::Vector3f> points,
                   int threads,
                   std::vector<int>& kept);
 
+/** \brief Connects pieces of a surface that belong to different segments and all but
+ * touch, as faces do whose edge was left out. \param segment per point */
+void
+bridgeSegments (Surface& surface, const std::vector<int>& segment, int threads);
+
 } // namespace pcl_msf

@@ -87,6 +87,20 @@ linkPieces (const Surface& surface, SurfaceSegments& segments)
   }
 }
 
+/** Finds the centroids. */
+void
+center (const Surface& surface, SurfaceSegments& segments)
+{
+  std::vector<int> sizes (segments.size(), 0);
+  segments.centroids.assign (segments.size(), Eigen::Vector3d::Zero());
+  for (int i = 0; i < surface.size(); ++i) {
+    segments.centroids[segments.label[i]] += surface.points[i].cast<double>();
+    ++sizes[segments.label[i]];
+  }
+  for (int k = 0; k < segments.size(); ++k)
+    segments.centroids[k] /= std::max (1, sizes[k]);
+}
+
 /** Weights that fall off with the distance along the surface. */
 void
 overlap (const Surface& surface, const SurfaceTuning& tuning, SurfaceSegments& segments)
@@ -166,21 +180,42 @@ cutSurface (const Surface& surface,
   SurfaceSegments segments;
   std::vector<float> distances;
   plantSeeds (surface, count, seeds, segments, distances);
-  std::vector<int> sizes (segments.size(), 0);
-  segments.centroids.assign (segments.size(), Eigen::Vector3d::Zero());
+  center (surface, segments);
   double reach = 0.0;
-  for (int i = 0; i < surface.size(); ++i) {
-    segments.centroids[segments.label[i]] += surface.points[i].cast<double>();
-    ++sizes[segments.label[i]];
-  }
-  for (int k = 0; k < segments.size(); ++k)
-    segments.centroids[k] /= std::max (1, sizes[k]);
   for (const float d : distances)
     reach = std::max (reach, static_cast<double> (d));
   segments.radius = std::max (reach, 1e-6 * surface.median_spacing);
   linkTouching (surface, segments);
   linkPieces (surface, segments);
   overlap (surface, tuning, segments);
+  return segments;
+}
+
+SurfaceSegments
+takeSegments (const Surface& surface, const std::vector<int>& label, int count)
+{
+  SurfaceSegments segments;
+  segments.given = true;
+  segments.label = label;
+  segments.seeds.assign (count, -1);
+  center (surface, segments);
+  std::vector<double> nearest (count, std::numeric_limits<double>::infinity());
+  double spread = 0.0;
+  for (int i = 0; i < surface.size(); ++i) {
+    const int k = label[i];
+    const double d =
+        (surface.points[i].cast<double>() - segments.centroids[k]).squaredNorm();
+    spread += d;
+    if (d < nearest[k]) {
+      nearest[k] = d;
+      segments.seeds[k] = i;
+    }
+    segments.members.push_back ({{k, 1.0f}});
+  }
+  // Of a disc the mean squared distance from its middle is half that of the rim.
+  segments.radius = std::max (std::sqrt (2.0 * spread / surface.size()),
+                              1e-6 * surface.median_spacing);
+  linkTouching (surface, segments);
   return segments;
 }
 

@@ -23,6 +23,14 @@ struct SurfaceSegments {
   std::vector<SegmentLink> links;               ///< of segments that touch
   std::vector<std::vector<Membership>> members; ///< per point: own and near segments
   double radius{0.0};                           ///< typical, along the surface
+  bool given{false};       ///< from outside: a point follows its own segment alone
+  std::vector<char> fixed; ///< per segment: keeps its motion; empty = none does
+
+  bool
+  isFixed (int segment) const
+  {
+    return !fixed.empty() && fixed[segment] != 0;
+  }
 
   int
   size () const
@@ -50,5 +58,10 @@ cutSurface (const Surface& surface,
             int count,
             const std::vector<int>& seeds,
             const SurfaceTuning& tuning);
+
+/** \brief Takes segments from outside; those that touch are linked.
+ * \param label per point, 0 to count - 1; each has a point */
+SurfaceSegments
+takeSegments (const Surface& surface, const std::vector<int>& label, int count);
 
 } // namespace pcl_msf

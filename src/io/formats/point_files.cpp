@@ -186,4 +186,33 @@ writeRegisteredCloud (const std::string& path,
   writeBytes (path, bytes.data(), bytes.size());
 }
 
+RegisteredCloud
+readRegisteredCloud (const std::string& path)
+{
+  const pcl::PCLPointCloud2 blob = readPcd (path, nullptr, PcdShape::Points);
+  std::vector<CloudChannel> channels;
+  for (const char* name : {"x", "y", "z", "dx", "dy", "dz", "part"})
+    for (const pcl::PCLPointField& field : blob.fields)
+      if (field.name == name)
+        channels.push_back ({field.offset, field.datatype});
+  if (channels.size() != 7)
+    throw IoError (path + ": fields: x y z dx dy dz part are not all there; give what "
+                          "pcl_msf_register wrote");
+  RegisteredCloud cloud;
+  const std::size_t count = std::size_t{blob.width} * blob.height;
+  const unsigned char* bytes = blob.data.data();
+  for (std::size_t i = 0; i < count; ++i, bytes += blob.point_step) {
+    Eigen::Vector3f x;
+    Eigen::Vector3f d;
+    for (int c = 0; c < 3; ++c) {
+      x[c] = static_cast<float> (channels[c].value (bytes));
+      d[c] = static_cast<float> (channels[3 + c].value (bytes));
+    }
+    cloud.warped.push_back (x);
+    cloud.source.push_back (x - d);
+    cloud.part.push_back (static_cast<int> (channels[6].value (bytes)));
+  }
+  return cloud;
+}
+
 } // namespace pcl_msf::io

@@ -203,6 +203,7 @@ numbersOf (const Json& report)
       {"height", "/height"},
       {"segments", "/segments"},
       {"motion groups", "/bodies"},
+      {"joints", "/joints"},
       {"iterations", "/iterations"},
       {"converged", "/converged"},
       {"stop reason", "/stop_reason"},

@@ -3,9 +3,11 @@
 #include "io/base/json.h"
 #include "io/base/output_file.h"
 #include "io/base/tuning_json.h"
+#include <pcl_msf/errors.h>
 #include <pcl_msf/io/point_files.h>
 
 #include <cmath>
+#include <fstream>
 
 namespace pcl_msf::io {
 
@@ -70,6 +72,32 @@ writeJoints (const std::string& path, const CloudFlow& flow)
   writeJson (path, json);
 }
 
+std::vector<CloudJoint>
+readJoints (const std::string& path)
+{
+  std::ifstream stream (path, std::ios::binary);
+  const Json json = Json::parse (stream, nullptr, false);
+  std::vector<CloudJoint> joints;
+  try {
+    for (const Json& item : json.at ("joints")) {
+      CloudJoint joint;
+      joint.parent = item.at ("parent").get<int>();
+      joint.child = item.at ("child").get<int>();
+      for (int c = 0; c < 3; ++c) {
+        joint.axis[c] = item.at ("axis").at (c).get<double>();
+        joint.point[c] = item.at ("point").at (c).get<double>();
+      }
+      joint.angle = item.at ("angle_deg").get<double>() / kDegrees;
+      joint.shift = item.at ("shift").get<double>();
+      joints.push_back (joint);
+    }
+  }
+  catch (const Json::exception&) {
+    throw IoError (path + ": joints: they are not as pcl_msf_register writes them");
+  }
+  return joints;
+}
+
 void
 writeCloudReport (const std::string& path,
                   const CloudFlow& flow,
@@ -85,7 +113,9 @@ writeCloudReport (const std::string& path,
             {"explained_source", flow.explained_source},
             {"explained_target", flow.explained_target},
             {"loose_target", flow.loose_target},
-            {"gap", flow.gap}};
+            {"gap", flow.gap},
+            {"bodies", flow.parts.size()},
+            {"joints", flow.joints.size()}};
   json["seconds"] = {{"total", total_seconds},
                      {"load", load_seconds},
                      {"segment", report.segment_seconds},

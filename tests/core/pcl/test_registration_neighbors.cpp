@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <pcl/common/transforms.h>
+
 #include <gtest/gtest.h>
 
 #include "support/box_chain.h"
 #include <gmock/gmock.h>
 #include <pcl_msf/piecewise_rigid_registration.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -47,6 +50,28 @@ protected:
         .norm();
   }
 
+  /** Mean error of points that a motion took away after it. */
+  double
+  meanError (const Cloud& warped, const RigidPose& away) const
+  {
+    const RigidPose back = away.inverse();
+    double sum = 0.0;
+    for (int i = 0; i < 4000; ++i) {
+      const Eigen::Vector3f p =
+          (back * warped[i].getVector3fMap().cast<double>()).cast<float>();
+      sum += error (pcl::PointXYZ (p.x(), p.y(), p.z()), i);
+    }
+    return sum / 4000.0;
+  }
+  void
+  takeTargetAway (const RigidPose& away)
+  {
+    const auto moved = cloudOf (target);
+    pcl::transformPointCloud (*moved, *moved, away.matrix());
+    registration.setInputTarget (moved);
+  }
+
+  const RigidPose far{{0.0, 0.0, 2.0, 1.0, 0.5, 0.0}};
   BoxChain chain;
   ChainCloud source;
   ChainCloud target;
@@ -102,12 +127,127 @@ TEST_F (NeighborRegistration, SaysWhatItCannotTake)
   EXPECT_THAT (refused(), HasSubstr ("one target"));
   registration.setInputTarget (cloudOf (target));
   std::vector<pcl::PointIndices> clusters (1);
-  clusters[0].indices = {0, 1, 2};
+  clusters[0].indices = {0, 1, 4000};
   registration.setSegmentation (clusters);
+  EXPECT_THAT (refused(), HasSubstr ("index 4000"));
+  registration.setSegmentation (
+      pcl::make_shared<pcl::PointCloud<pcl::Label>> (200, 20));
   EXPECT_THAT (refused(), HasSubstr ("clearSegmentation"));
   registration.clearSegmentation();
+  CloudConstraints constraints;
+  constraints.point_weights.resize (20, 1.0F);
+  registration.setCloudConstraints (constraints);
+  EXPECT_THAT (refused(), HasSubstr ("setCloudConstraints"));
+  registration.setCloudConstraints ({{{4000, 0}}, {}, {}, {}});
+  EXPECT_THAT (refused(), HasSubstr ("index 4000"));
+  registration.setCloudConstraints ({});
   registration.setCorrespondence (CorrespondenceMethod::Projective);
   EXPECT_THAT (refused(), HasSubstr ("not organized"));
+}
+
+TEST_F (NeighborRegistration, SegmentsFromOutsideAreItsSegments)
+{
+  auto labels = pcl::make_shared<pcl::PointCloud<pcl::Label>> (4000, 1);
+  for (int i = 0; i < 4000; ++i)
+    (*labels)[i].label = i < 40 ? 4294967295U : 3 + 6 * source.box[i];
+  registration.setSegmentation (labels);
+  Cloud warped;
+  registration.align (warped);
+  ASSERT_TRUE (registration.hasConverged()) << registration.getReport().message;
+  const SceneFlow& flow = registration.getSceneFlow();
+  ASSERT_EQ (flow.segments.size(), 2u);
+  ASSERT_EQ (flow.pairs.size(), 1u);
+  EXPECT_EQ (flow.pairs[0].weight, 0.0);
+  EXPECT_EQ (flow.groups, 2);
+  for (int i = 0; i < 4000; ++i) {
+    ASSERT_EQ (flow.labels.at<int> (0, i), i < 40 ? -1 : source.box[i]);
+    ASSERT_EQ (std::isnan (warped[i].x), i < 40);
+    ASSERT_TRUE (i < 40 || error (warped[i], i) < 3e-3);
+  }
+  EXPECT_EQ (flow.segments[0].points + flow.segments[1].points, 3960);
+  EXPECT_LT (flow.segments[0].centroid.x(), flow.segments[1].centroid.x());
+
+  // The same as clusters, in the other order, of the points of one half.
+  std::vector<pcl::PointIndices> clusters (2);
+  for (int i = 0; i < 4000; ++i)
+    clusters[1 - source.box[i]].indices.push_back (i);
+  registration.setSegmentation (clusters);
+  auto half = pcl::make_shared<pcl::Indices>();
+  for (int i = 0; i < 4000; i += 2)
+    half->push_back (i);
+  registration.setIndices (half);
+  registration.align (warped);
+  ASSERT_TRUE (registration.hasConverged()) << registration.getReport().message;
+  for (int i = 0; i < 4000; i += 2)
+    ASSERT_EQ (registration.getSceneFlow().labels.at<int> (0, i), 1 - source.box[i]);
+}
+
+TEST_F (NeighborRegistration, BeginsAtTheGuess)
+{
+  takeTargetAway (far);
+  Cloud warped;
+  ::testing::internal::CaptureStderr();
+  registration.align (warped);
+  ::testing::internal::GetCapturedStderr();
+  EXPECT_GT (meanError (warped, far), 0.05);
+  pcl::Registration<pcl::PointXYZ, pcl::PointXYZ>& base = registration;
+  base.align (warped, (far * chain.pose (0)).matrix());
+  EXPECT_TRUE (registration.hasConverged()) << registration.getReport().message;
+  EXPECT_LT (meanError (warped, far), 2e-3);
+}
+
+TEST_F (NeighborRegistration, KnownCorrespondencesLeadIt)
+{
+  takeTargetAway (far);
+  pcl::Correspondences pairs;
+  const auto targets = cloudOf (target);
+  for (int i = 0; i < 4000; i += 500) {
+    const auto nearest = std::min_element (
+        targets->begin(), targets->end(), [&] (const auto& a, const auto& b) {
+          return error (a, i) < error (b, i);
+        });
+    pairs.emplace_back (i, static_cast<int> (nearest - targets->begin()), 0.0F);
+  }
+  registration.setKnownCorrespondences (pairs);
+  Cloud warped;
+  registration.align (warped);
+  EXPECT_TRUE (registration.hasConverged()) << registration.getReport().message;
+  EXPECT_LT (meanError (warped, far), 2e-3);
+}
+
+TEST_F (NeighborRegistration, ConstraintsAreKeptAndBadOnesAreRefused)
+{
+  const auto refused = [] (const std::string& method, const auto& call) {
+    ::testing::internal::CaptureStderr();
+    call();
+    EXPECT_THAT (::testing::internal::GetCapturedStderr(), HasSubstr (method));
+  };
+  pcl::Correspondences pairs;
+  pairs.emplace_back (3, 4, 0.0F);
+  registration.setKnownCorrespondences (pairs, {0.5});
+  pairs.emplace_back (5, -1, 0.0F);
+  refused ("setKnownCorrespondences",
+           [&] { registration.setKnownCorrespondences (pairs); });
+  refused ("setKnownCorrespondences", [&] {
+    registration.setKnownCorrespondences (pairs, {1.0, 2.0, 3.0});
+  });
+  CloudConstraints constraints = registration.getCloudConstraints();
+  ASSERT_EQ (constraints.pairs.size(), 1u);
+  EXPECT_EQ (registration.getKnownCorrespondences()[0].weight, 0.5F);
+  constraints.point_weights = {NAN};
+  refused ("setCloudConstraints",
+           [&] { registration.setCloudConstraints (constraints); });
+  EXPECT_TRUE (registration.getCloudConstraints().point_weights.empty());
+  // By the camera they have no meaning.
+  registration.setCorrespondence (CorrespondenceMethod::Projective);
+  auto organized = cloudOf (source);
+  organized->width = 100;
+  organized->height = 40;
+  registration.setInputSource (organized);
+  registration.setInputTarget (organized);
+  Cloud warped;
+  refused ("setCloudConstraints", [&] { registration.align (warped); });
+  EXPECT_FALSE (registration.hasConverged());
 }
 
 TEST_F (NeighborRegistration, TellsToKeepTheGridOfACamerasClouds)

@@ -141,8 +141,7 @@ TEST (RegistrationSettings, SegmentationFromOutside)
   r.setSegmentation (labels);
   EXPECT_EQ (r.getSegmentationLabels(), labels);
   refused ("setSegmentation", [&] { r.setSegmentation (Labels::ConstPtr()); });
-  refused ("setSegmentation",
-           [&] { r.setSegmentation (pcl::make_shared<Labels> (12, 1)); });
+  refused ("setSegmentation", [&] { r.setSegmentation (pcl::make_shared<Labels>()); });
   std::vector<pcl::PointIndices> clusters (2);
   refused ("setSegmentation", [&] { r.setSegmentation (clusters); });
   EXPECT_EQ (r.getSegmentationLabels(), labels);
