@@ -30,7 +30,7 @@ matched (const std::function<double (double i, double x, double y)>& current,
     const double right = current (i, x, y) + noise (generator);
     matches.reference.push_back (static_cast<float> (i));
     matches.current.push_back (
-        static_cast<float> (k % 4 == 0 ? uniform (generator) : right));
+        static_cast<float> (place (generator) < -0.5 ? uniform (generator) : right));
     matches.x.push_back (static_cast<float> (x));
     matches.y.push_back (static_cast<float> (y));
   }
