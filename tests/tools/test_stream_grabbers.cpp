@@ -1,0 +1,435 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <pcl/io/lzf_image_io.h>
+#include <pcl/io/pcd_grabber.h>
+#include <pcl/io/pcd_io.h>
+#include <pcl/point_types.h>
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgproc.hpp>
+
+#include "common/command_line.h"
+#include "common/player/frame_player.h"
+#include "common/player/grabber_source.h"
+#include "support/wall_cloud.h"
+#include "tools/stream_tool.h"
+#include <gmock/gmock.h>
+#include <pcl_msf/errors.h>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+
+// PCL's grabbers as sources of pcl_msf_stream: those of files through the whole tool,
+// live ones by a source of their own.
+
+namespace {
+
+using namespace pcl_msf;
+using namespace pcl_msf::testing;
+using ::testing::HasSubstr;
+
+class StreamGrabbers : public StreamTool {
+protected:
+  static constexpr int kFrames = 5;
+
+  /** As `clouds/room_8.pcd` and so on, by number, not by letters. */
+  void
+  writeClouds () const
+  {
+    io::makeFolder (folder_ ("clouds"));
+    const std::vector<test::View> views = test::renderWindow (scene_, kFrames);
+    for (int k = 0; k < kFrames; ++k)
+      pcl::io::savePCDFileBinary (cloudFile (k), cloudOf (views[k]));
+  }
+  std::string
+  cloudFile (int frame) const
+  {
+    return folder_ ("clouds/room_" + std::to_string (8 + frame) + ".pcd");
+  }
+  /** As PCL's ImageGrabber wants them. \param depth_extension of formats whose rows it
+   * reads from the last one up or from the first one down */
+  void
+  writeImages (const std::string& depth_extension) const
+  {
+    io::makeFolder (folder_ ("images"));
+    const std::vector<test::View> views = test::renderWindow (scene_, kFrames);
+    for (int k = 0; k < kFrames; ++k) {
+      cv::Mat color, depth;
+      views[k].color.convertTo (color, CV_8U, 255.0);
+      cv::cvtColor (color, color, cv::COLOR_GRAY2BGR);
+      views[k].depth.convertTo (depth, CV_16U, kDepthScale);
+      const std::string number = std::to_string (8 + k);
+      io::writeImage (folder_ ("images/rgb_" + number + ".png"), color);
+      io::writeImage (folder_ ("images/depth_" + number + depth_extension), depth);
+    }
+    io::writeCamera (folder_ ("images/camera.txt"), camera());
+  }
+  /** As PCL's recorders do: each frame with its camera and, by its name, its time. */
+  void
+  writeCompressed () const
+  {
+    io::makeFolder (folder_ ("compressed"));
+    pcl::io::CameraParameters lens;
+    lens.focal_length_x = scene_.camera.fx;
+    lens.focal_length_y = scene_.camera.fy;
+    lens.principal_point_x = scene_.camera.cx;
+    lens.principal_point_y = scene_.camera.cy;
+    pcl::io::LZFDepth16ImageWriter depth_writer; // of millimetres
+    pcl::io::LZFRGB24ImageWriter color_writer;
+    const std::vector<test::View> views = test::renderWindow (scene_, kFrames);
+    for (int k = 0; k < kFrames; ++k) {
+      cv::Mat color, depth;
+      views[k].color.convertTo (color, CV_8U, 255.0);
+      cv::cvtColor (color, color, cv::COLOR_GRAY2RGB);
+      views[k].depth.convertTo (depth, CV_16U, 1000.0);
+      const std::string name = folder_ ("compressed/frame_20260102T030405." +
+                                        std::to_string (100000 * (k + 1)));
+      const auto width = static_cast<std::uint32_t> (scene_.width);
+      const auto height = static_cast<std::uint32_t> (scene_.height);
+      ASSERT_TRUE (color_writer.write (reinterpret_cast<const char*> (color.data),
+                                       width,
+                                       height,
+                                       name + "_rgb.pclzf"));
+      ASSERT_TRUE (depth_writer.write (reinterpret_cast<const char*> (depth.data),
+                                       width,
+                                       height,
+                                       name + "_depth.pclzf"));
+      ASSERT_TRUE (depth_writer.writeParameters (lens, name + ".xml"));
+      ASSERT_TRUE (color_writer.writeParameters (lens, name + ".xml"));
+    }
+  }
+  ToolRun
+  grab (const std::string& source, const std::string& options) const
+  {
+    return run (folder_ (source) + " --as-fast-as-possible --output " +
+                folder_ ("out") + " --grabber " + options);
+  }
+
+private:
+  pcl::PointCloud<pcl::PointXYZRGBA>
+  cloudOf (const test::View& view) const
+  {
+    pcl::PointCloud<pcl::PointXYZRGBA> cloud (scene_.width, scene_.height);
+    for (int v = 0; v < scene_.height; ++v)
+      for (int u = 0; u < scene_.width; ++u) {
+        auto& point = cloud (u, v);
+        point.getVector3fMap() =
+            scene_.camera.backProject (u, v, view.depth.at<float> (v, u)).cast<float>();
+        point.r = point.g = point.b =
+            cv::saturate_cast<std::uint8_t> (255.0F * view.color.at<float> (v, u));
+      }
+    return cloud;
+  }
+};
+
+TEST_F (StreamGrabbers, PcdFilesFollowTheCamera)
+{
+  writeClouds();
+  ASSERT_EQ (grab ("clouds", "pcd").status, 0);
+  expectFollowed (trajectory(), kFrames);
+  EXPECT_EQ (report()["dropped"], 0);
+  const std::string of_folder = readFile (folder_ ("out/trajectory.txt"));
+  std::string list = "# of a recorder\n\n";
+  for (int k = 0; k < kFrames; ++k)
+    list += "clouds/room_" + std::to_string (8 + k) + ".pcd\r\n";
+  writeFile (folder_ ("list.txt"), list);
+  ASSERT_EQ (grab ("list.txt", "pcd").status, 0);
+  EXPECT_EQ (readFile (folder_ ("out/trajectory.txt")), of_folder);
+}
+
+TEST_F (StreamGrabbers, ImagesFollowTheCameraUprightInEveryFormat)
+{
+  for (const char* depth : {".png", ".tiff"}) {
+    writeImages (depth);
+    ToolRun done = grab ("images", "image");
+    ASSERT_EQ (done.status, 0) << done.err;
+    expectFollowed (trajectory(), kFrames);
+    const std::string by_file = readFile (folder_ ("out/trajectory.txt"));
+    std::filesystem::remove (folder_ ("images/camera.txt"));
+    done = grab ("images", "image");
+    EXPECT_EQ (done.status, 1);
+    EXPECT_THAT (done.err, HasSubstr ("--camera"));
+    const auto& c = scene_.camera;
+    done = grab ("images",
+                 "image --depth-scale 5000 --camera " + std::to_string (c.fx) + "," +
+                     std::to_string (c.fy) + "," + std::to_string (c.cx) + "," +
+                     std::to_string (c.cy));
+    ASSERT_EQ (done.status, 0) << done.err;
+    EXPECT_EQ (readFile (folder_ ("out/trajectory.txt")), by_file);
+    io::CameraFile distorted = camera();
+    distorted.distortion.k1 = 0.1;
+    io::writeCamera (folder_ ("images/camera.txt"), distorted);
+    EXPECT_THAT (grab ("images", "image").err, HasSubstr ("distorted"));
+    std::filesystem::remove_all (folder_ ("images"));
+  }
+}
+
+TEST_F (StreamGrabbers, CompressedImagesBringTheirCameraAndTimes)
+{
+  writeCompressed();
+  const ToolRun done = grab ("compressed", "image");
+  ASSERT_EQ (done.status, 0) << done.err;
+  const std::vector<Line> lines = trajectory();
+  expectFollowed (lines, kFrames);
+  EXPECT_NEAR (lines.back().seconds - lines.front().seconds, 0.4, 1e-5);
+  std::filesystem::remove (folder_ ("compressed/frame_20260102T030405.300000.xml"));
+  EXPECT_THAT (grab ("compressed", "image").err, HasSubstr ("4 .xml files for 5"));
+}
+
+TEST_F (StreamGrabbers, SayWhichFilesAreLostAndGoOn)
+{
+  writeClouds();
+  writeFile (cloudFile (2), "damaged");
+  ToolRun done = grab ("clouds", "pcd");
+  EXPECT_EQ (done.status, 3);
+  EXPECT_EQ (done.errorLines(), 1) << done.err;
+  EXPECT_THAT (done.err, HasSubstr ("frame 2: lost"));
+  EXPECT_THAT (done.err, HasSubstr ("room_10.pcd"));
+  EXPECT_EQ (trajectory().size(), kFrames - 1U);
+  EXPECT_LT (distance (4, trajectory().back().pose), 0.02);
+  writeImages (".png");
+  const cv::Mat bytes = cv::Mat::ones (scene_.height, scene_.width, CV_8U);
+  io::writeImage (folder_ ("images/depth_10.png"), bytes); // PCL reads beyond its end
+  io::writeImage (folder_ ("images/rgb_11.png"), bytes);   // likewise
+  done = grab ("images", "image");
+  EXPECT_EQ (done.status, 3);
+  EXPECT_EQ (done.errorLines(), 2) << done.err;
+  EXPECT_THAT (done.err, HasSubstr ("depth_10.png: PCL's ImageGrabber"));
+  EXPECT_THAT (done.err, HasSubstr ("rgb_11.png: PCL's ImageGrabber"));
+}
+
+TEST_F (StreamGrabbers, RefuseInOneLine)
+{
+  writeClouds();
+  const auto refused = [&] (const std::string& arguments, const std::string& words) {
+    const ToolRun done = run (arguments + " --output " + folder_ ("out"));
+    EXPECT_EQ (done.status, 1) << arguments;
+    if (arguments.find ("openni2") == std::string::npos) { // else drivers print, too
+      EXPECT_EQ (done.errorLines(), 1) << done.err;
+    }
+    EXPECT_THAT (done.err, HasSubstr (words));
+  };
+  const std::string clouds = folder_ ("clouds");
+  for (const char* grabber : {"pcd", "image"}) {
+    refused (folder_ ("nowhere") + " --grabber " + grabber, "nowhere");
+    refused ("--grabber " + std::string (grabber), "SOURCE");
+  }
+  for (const char* grabber : {"openni2", "realsense2"}) {
+    const std::string camera = "no-such-camera --grabber " + std::string (grabber);
+    refused (camera, "'no-such-camera'");
+    refused (camera + " --rate 5", "--rate");
+    refused (camera + " --as-fast-as-possible", "--as-fast-as-possible");
+  }
+  refused (clouds + " --grabber kinect", "openni2");
+  refused (clouds + " --grabber image", "two are needed");
+  refused (clouds + " --grabber pcd --distortion 1,0,0,0", "--distortion");
+  refused (cloudFile (0) + " --grabber pcd", "two are needed");
+  refused (clouds + " --grabber pcd --camera 900,900,1,1", "room_8.pcd");
+  const ToolRun inside = run (clouds + " --grabber pcd --output " + clouds);
+  EXPECT_THAT (inside.err, HasSubstr ("give another folder"));
+  EXPECT_FALSE (std::filesystem::exists (folder_ ("out/trajectory.txt")));
+}
+
+TEST_F (StreamGrabbers, EndBySignalAndLeaveWhatWasComputed)
+{
+  writeClouds();
+  const std::vector<std::string> arguments{
+      folder_ ("clouds"), "--grabber", "pcd", "--rate", "0.001"};
+  EXPECT_EQ (signalAfter ("frame 0: ", SIGINT, arguments), 128 + SIGINT);
+  EXPECT_EQ (report()["interrupted"], true);
+  EXPECT_EQ (trajectory().size(), 1U);
+}
+
+/** Gives some clouds when it starts, in no other thread, and then has ended. */
+template <typename PointT>
+class SmallGrabber : public pcl::Grabber {
+public:
+  using Cloud = pcl::PointCloud<PointT>;
+
+  explicit SmallGrabber (std::vector<Cloud> clouds)
+  : clouds_ (std::move (clouds)), signal_ (createSignal<Signal>())
+  {}
+  void
+  start () override
+  {
+    for (const Cloud& cloud : clouds_)
+      (*signal_) (pcl::make_shared<Cloud> (cloud));
+  }
+  void
+  stop () override
+  {}
+  std::string
+  getName () const override
+  {
+    return "SmallGrabber";
+  }
+  bool
+  isRunning () const override
+  {
+    return false;
+  }
+  float
+  getFramesPerSecond () const override
+  {
+    return 30.0F;
+  }
+
+private:
+  using Signal = void (const typename Cloud::ConstPtr&);
+  std::vector<Cloud> clouds_;
+  boost::signals2::signal<Signal>* signal_;
+};
+
+/** What comes out of a grabber. */
+class GrabberSources : public ::testing::Test {
+protected:
+  void
+  open (std::unique_ptr<pcl::Grabber> grabber)
+  {
+    source_ = std::make_unique<tool::GrabberSource> (
+        std::move (grabber), "camera 7", settings_, [this] (const std::string& text) {
+          warnings_ += text + "\n";
+        });
+  }
+  template <typename PointT>
+  void
+  open (std::vector<pcl::PointCloud<PointT>> clouds)
+  {
+    open (std::make_unique<SmallGrabber<PointT>> (std::move (clouds)));
+  }
+  void
+  deliver ()
+  {
+    source_->deliver (queue_, [] { return false; });
+    queue_.close();
+  }
+  template <typename Error>
+  void
+  expectError (const std::string& words)
+  {
+    try {
+      deliver();
+      ADD_FAILURE() << "no error";
+    }
+    catch (const Error& e) {
+      EXPECT_THAT (e.what(), HasSubstr (words));
+    }
+  }
+
+  tool::PlayerSettings settings_;
+  tool::FrameSource::Queue queue_{8};
+  std::string warnings_;
+  std::unique_ptr<tool::GrabberSource> source_;
+};
+
+TEST_F (GrabberSources, MakeFramesOfCloudsAndTellTheirCamera)
+{
+  auto first = wall<pcl::PointXYZI>(), second = first;
+  first.header.stamp = 2500000;
+  second.header.stamp = 2600000;
+  for (auto& point : second)
+    point.intensity = 40.0F;
+  open<pcl::PointXYZI> ({first, second});
+  deliver();
+  auto frame = queue_.pop();
+  ASSERT_TRUE (frame);
+  EXPECT_EQ (frame->index, 0);
+  EXPECT_DOUBLE_EQ (frame->seconds, 2.5);
+  EXPECT_NEAR (frame->images.camera.fx, kCamera.fx, 0.01);
+  EXPECT_EQ (frame->images.depth.at<float> (8, 9), first (9, 8).z);
+  frame = queue_.pop();
+  ASSERT_TRUE (frame);
+  EXPECT_EQ (frame->index, 1);
+  EXPECT_DOUBLE_EQ (frame->seconds, 2.6);
+  EXPECT_FALSE (queue_.pop());
+  EXPECT_EQ (queue_.dropped(), 0);
+}
+
+TEST_F (GrabberSources, QueueDropsTheOldestAndCounts)
+{
+  open (std::vector<pcl::PointCloud<pcl::PointXYZ>> (20, wall<pcl::PointXYZ>()));
+  deliver();
+  EXPECT_EQ (queue_.dropped(), 12);
+  const auto frame = queue_.pop();
+  ASSERT_TRUE (frame);
+  EXPECT_EQ (frame->index, 12);
+  EXPECT_THAT (warnings_, HasSubstr ("no colour"));
+}
+
+TEST_F (GrabberSources, FirstCloudMustBeRightLaterOnesAreLost)
+{
+  const auto whole = wall<pcl::PointXYZRGB>();
+  auto bare = whole;
+  bare.width *= bare.height;
+  bare.height = 1;
+  open<pcl::PointXYZRGB> ({bare, whole});
+  expectError<InvalidInput> ("organized");
+  queue_.close();
+  EXPECT_FALSE (queue_.pop());
+}
+
+TEST_F (GrabberSources, LaterCloudsMayBeLost)
+{
+  const auto whole = wall<pcl::PointXYZRGB>();
+  open<pcl::PointXYZRGB> ({whole, {}, whole});
+  deliver();
+  for (const bool good : {true, false, true}) {
+    const auto frame = queue_.pop();
+    ASSERT_TRUE (frame);
+    EXPECT_EQ (frame->problem.empty(), good);
+  }
+}
+
+TEST_F (GrabberSources, WithoutCloudsSayTheCameraAndTheRemedy)
+{
+  open<pcl::PointXYZ> ({});
+  expectError<tool::UsageError> ("camera 7: gives no clouds; see");
+  open (std::make_unique<SmallGrabber<pcl::PointXY>> (
+      std::vector<pcl::PointCloud<pcl::PointXY>>{}));
+  expectError<tool::UsageError> ("camera 7: gives no clouds of points");
+}
+
+/** PCL's own, whose thread calls back. */
+class ThreadedGrabber : public GrabberSources {
+protected:
+  void
+  openFiles (int frames, bool repeat)
+  {
+    std::vector<std::string> files;
+    for (int k = 0; k < frames; ++k) {
+      files.push_back (folder_ (std::to_string (k) + ".pcd"));
+      pcl::io::savePCDFileBinary (files.back(), wall<pcl::PointXYZRGBA>());
+    }
+    open (std::make_unique<pcl::PCDGrabber<pcl::PointXYZRGBA>> (files, 100.0F, repeat));
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F (ThreadedGrabber, EndsWithItsFiles)
+{
+  openFiles (3, false);
+  deliver();
+  for (int k = 0; k < 3; ++k) {
+    const auto frame = queue_.pop();
+    ASSERT_TRUE (frame);
+    EXPECT_EQ (frame->index, k);
+  }
+  EXPECT_FALSE (queue_.pop());
+}
+
+TEST_F (ThreadedGrabber, EndsWhenNobodyWantsMore)
+{
+  openFiles (2, true);
+  {
+    tool::FramePlayer player (*source_, queue_);
+    for (int k = 0; k < 5; ++k)
+      ASSERT_TRUE (queue_.pop());
+    player.requireFrames(); // stops an endless stream
+  }
+  while (queue_.pop()) { // what waits
+  }
+}
+
+} // namespace
