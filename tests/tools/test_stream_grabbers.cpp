@@ -131,6 +131,10 @@ TEST_F (StreamGrabbers, PcdFilesFollowTheCamera)
   writeFile (folder_ ("list.txt"), list);
   ASSERT_EQ (grab ("list.txt", "pcd").status, 0);
   EXPECT_EQ (readFile (folder_ ("out/trajectory.txt")), of_folder);
+  io::CameraFile other = camera();
+  other.camera.fx *= 2.0;
+  io::writeCamera (folder_ ("clouds/camera.txt"), other);
+  EXPECT_THAT (grab ("clouds", "pcd").err, HasSubstr ("not the camera's"));
 }
 
 TEST_F (StreamGrabbers, ImagesFollowTheCameraUprightInEveryFormat)

@@ -4,8 +4,10 @@
 
 #include "common/player/player_settings.h"
 #include <pcl_msf/io/rgbd_sequence.h>
+#include <pcl_msf/io/text_files.h>
 
 #include <memory>
+#include <optional>
 
 namespace pcl_msf::tool {
 
@@ -13,8 +15,14 @@ namespace pcl_msf::tool {
  * which they give any cloud of their list. Files that PCL would crash on, or misread,
  * are refused before. */
 
+/** \brief What the camera.txt in the source's folder says; none without one. \throws
+ * IoError for a damaged one */
+std::optional<io::CameraFile>
+cameraBeside (const PlayerSettings& settings);
+
 /** \brief Organized clouds, by `pcl::PCDGrabber`. `settings.source` is a folder of .pcd
- * files or a text file that lists them, one per line, from its own folder.
+ * files or a text file that lists them, one per line, from its own folder; the camera
+ * is that of the settings, of camera.txt, or of the first cloud.
  * \throws IoError, UsageError unless there are two or more */
 std::shared_ptr<const io::RgbdSequence>
 openPcdFiles (const PlayerSettings& settings);

@@ -12,7 +12,6 @@
 #include "io/base/classic_locale.h"
 #include "io/base/folder_files.h"
 #include <pcl_msf/errors.h>
-#include <pcl_msf/io/text_files.h>
 
 #include <algorithm>
 #include <cmath>
@@ -165,21 +164,18 @@ struct Sensor {
 Sensor
 sensorOf (const PlayerSettings& settings)
 {
-  const std::string file = (fs::path (settings.source) / "camera.txt").string();
-  const bool there = fs::exists (file);
-  if (!there && !settings.reading.camera)
+  const auto known = cameraBeside (settings);
+  const auto& given = settings.reading.camera;
+  if (!known && !given)
     throw UsageError ("--camera: missing; '" + settings.source +
                       "' has no camera.txt either");
-  Sensor sensor{{}, kMillimetres};
-  if (there) {
-    const io::CameraFile known = io::readCamera (file);
-    if (!known.distortion.isNone() && !settings.reading.camera)
-      throw UsageError (file + ": the images are distorted, which PCL's ImageGrabber "
-                               "leaves as it is; leave out --grabber");
-    sensor = {known.camera, known.depth_scale};
-  }
-  return {settings.reading.camera.value_or (sensor.camera),
-          settings.reading.depth_scale.value_or (sensor.depth_scale)};
+  if (!given && !known->distortion.isNone())
+    throw UsageError ("'" + settings.source +
+                      "': its images are distorted, by its camera.txt, which PCL's "
+                      "ImageGrabber leaves as it is; leave out --grabber");
+  const double scale = known ? known->depth_scale : kMillimetres;
+  return {given ? *given : known->camera,
+          settings.reading.depth_scale.value_or (scale)};
 }
 
 /** Of depth, and of colour where that is there. */

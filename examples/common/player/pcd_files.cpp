@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -50,8 +51,11 @@ Load
 loadAs (const std::vector<std::string>& files, const PlayerSettings& settings)
 {
   const auto grabber = std::make_shared<const pcl::PCDGrabber<PointT>> (files);
+  std::optional<PinholeCamera> camera = settings.reading.camera;
+  if (const auto known = cameraBeside (settings); known && !camera)
+    camera = known->camera;
   const auto images = std::make_shared<CloudImages> (
-      settings.reading.camera, settings.reading.depth_scale.value_or (1.0));
+      camera, settings.reading.depth_scale.value_or (1.0));
   return [grabber, images] (std::size_t k) { return images->convert (*(*grabber)[k]); };
 }
 
