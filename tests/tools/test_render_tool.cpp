@@ -196,6 +196,12 @@ TEST_F (RenderCase, LiveWindowRefusesInOneLine)
                                       folder_ ("case") + " --stream --rate 5");
   EXPECT_EQ (stream.status, 1);
   EXPECT_THAT (stream.err, HasSubstr ("two are needed"));
+  const std::string view = PCL_MSF_TOOLS "/pcl_msf_view ";
+  const ToolRun live = runTool (folder_, view + "no-such --stream --grabber openni2");
+  EXPECT_EQ (live.status, 1);
+  EXPECT_THAT (live.err, HasSubstr ("'no-such'"));
+  EXPECT_THAT (runTool (folder_, view + "no-such --grabber pcd").err,
+               HasSubstr ("--stream"));
 }
 
 } // namespace

@@ -3,21 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "stream/statistics.h"
-#include "support/run_tool.h"
-#include "support/standing_room.h"
+#include "tools/stream_tool.h"
 #include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
 #include <pcl_msf/io/float_files.h>
-#include <pcl_msf/io/folders.h>
-#include <pcl_msf/io/images.h>
-#include <pcl_msf/io/text_files.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
-#include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -30,108 +24,6 @@ using namespace pcl_msf;
 using namespace pcl_msf::testing;
 using ::testing::HasSubstr;
 
-const std::string kTool = PCL_MSF_TOOLS "/pcl_msf_stream";
-constexpr double kDepthScale = 5000.0;
-
-/** A line of a trajectory: seconds and a pose. */
-struct Line {
-  double seconds;
-  RigidPose pose;
-};
-
-class StreamTool : public ::testing::Test {
-protected:
-  const test::AnalyticScene scene_ = test::standingRoom();
-
-  /** A camera that moves through a room; after so many `places` it is back. */
-  void
-  writeRecording (int frames, int places = 5) const
-  {
-    writeImages (frames, places, "room/color_", "room/depth_");
-    io::writeCamera (folder_ ("room/camera.txt"), camera());
-  }
-  /** The same with TUM's lists. \param times of the frames, seconds */
-  void
-  writeTumRecording (const std::vector<double>& times) const
-  {
-    const int frames = static_cast<int> (times.size());
-    io::makeFolder (folder_ ("tum/rgb"));
-    io::makeFolder (folder_ ("tum/depth"));
-    writeImages (frames, frames, "tum/rgb/", "tum/depth/");
-    io::writeCamera (folder_ ("tum/camera.txt"), camera());
-    std::ostringstream color, depth;
-    for (int k = 0; k < frames; ++k) {
-      color << times[k] << " rgb/" << k << ".png\n";
-      depth << times[k] << " depth/" << k << ".png\n";
-    }
-    writeFile (folder_ ("tum/rgb.txt"), color.str());
-    writeFile (folder_ ("tum/depth.txt"), depth.str());
-  }
-  void
-  cover (int frame) const
-  {
-    io::writeDepth (folder_ ("room/depth_" + std::to_string (frame) + ".png"),
-                    cv::Mat::zeros (scene_.height, scene_.width, CV_32FC1),
-                    kDepthScale);
-  }
-  ToolRun
-  run (const std::string& arguments) const
-  {
-    return runTool (folder_, kTool + " " + arguments);
-  }
-  std::vector<Line>
-  trajectory () const
-  {
-    std::vector<Line> lines;
-    std::istringstream text (readFile (folder_ ("out/trajectory.txt")));
-    for (std::string line; std::getline (text, line);) {
-      double t = 0, x = 0, y = 0, z = 0, a = 0, b = 0, c = 0, w = 0;
-      std::istringstream numbers (line);
-      if (numbers >> t >> x >> y >> z >> a >> b >> c >> w)
-        lines.push_back ({t,
-                          RigidPose::fromMatrix (
-                              Eigen::Quaterniond (w, a, b, c).matrix(), {x, y, z})});
-    }
-    return lines;
-  }
-  nlohmann::json
-  report () const
-  {
-    return nlohmann::json::parse (readFile (folder_ ("out/report.json")));
-  }
-  double
-  distance (int frame, const RigidPose& pose) const
-  {
-    return test::distanceToTruth (scene_, frame, pose);
-  }
-
-  TemporaryFolder folder_;
-
-private:
-  io::CameraFile
-  camera () const
-  {
-    return {scene_.camera, scene_.width, scene_.height, kDepthScale};
-  }
-  void
-  writeImages (int frames,
-               int places,
-               const std::string& color,
-               const std::string& depth) const
-  {
-    io::makeFolder (std::filesystem::path (folder_ (color)).parent_path().string());
-    const std::vector<test::View> views = test::renderWindow (scene_, places);
-    for (int k = 0; k < frames; ++k) {
-      const test::View& view = views[k % places];
-      cv::Mat gray;
-      view.color.convertTo (gray, CV_8U, 255.0);
-      const std::string file = std::to_string (k) + ".png";
-      io::writeImage (folder_ (color + file), gray);
-      io::writeDepth (folder_ (depth + file), view.depth, kDepthScale);
-    }
-  }
-};
-
 TEST_F (StreamTool, FollowsTheCamera)
 {
   writeRecording (5);
@@ -139,11 +31,9 @@ TEST_F (StreamTool, FollowsTheCamera)
       folder_ ("room") + " --as-fast-as-possible --flow --output " + folder_ ("out"));
   ASSERT_EQ (done.status, 0) << done.err;
   const std::vector<Line> lines = trajectory();
-  ASSERT_EQ (lines.size(), 5U);
-  for (int k = 0; k < 5; ++k) {
+  expectFollowed (lines, 5);
+  for (int k = 0; k < 5; ++k)
     EXPECT_EQ (lines[k].seconds, k);
-    EXPECT_LT (distance (k, lines[k].pose), 0.004 * (1 + k)) << k;
-  }
   EXPECT_EQ (io::readFlow (folder_ ("out/flow_0_4.flo")).cols, scene_.width);
   const auto counts = report();
   EXPECT_EQ (counts["frames"], 5);
@@ -215,29 +105,8 @@ INSTANTIATE_TEST_SUITE_P (All, StreamToolSignals, ::testing::Values (SIGINT, SIG
 TEST_P (StreamToolSignals, LeaveWhatWasComputed)
 {
   writeTumRecording ({100.0, 100.05, 100.1, 4000.0});
-  const std::string source = folder_ ("tum");
-  const std::string out = folder_ ("out");
-  const std::string printed = folder_ ("printed");
-  const pid_t tool = fork();
-  if (tool == 0) {
-    if (std::freopen (printed.c_str(), "w", stdout) != nullptr)
-      execl (kTool.c_str(),
-             kTool.c_str(),
-             source.c_str(),
-             "--output",
-             out.c_str(),
-             nullptr);
-    _exit (127);
-  }
-  while (readFile (printed).find ("frame 2: ") == std::string::npos) {
-    ASSERT_EQ (waitpid (tool, nullptr, WNOHANG), 0) << "it has ended";
-    std::this_thread::sleep_for (std::chrono::milliseconds (10));
-  }
-  kill (tool, GetParam());
-  int status = 0;
-  waitpid (tool, &status, 0);
-  ASSERT_TRUE (WIFEXITED (status));
-  EXPECT_EQ (WEXITSTATUS (status), 128 + GetParam());
+  EXPECT_EQ (signalAfter ("frame 2: ", GetParam(), {folder_ ("tum")}),
+             128 + GetParam());
   const std::vector<Line> lines = trajectory();
   ASSERT_GE (lines.size(), 1U);
   EXPECT_NEAR (lines.back().seconds, 100.1, 1e-6);

@@ -19,4 +19,32 @@ addRateOption (CLI::App& app, PlayerSettings& settings)
                     });
 }
 
+CLI::Option*
+addGrabberOption (CLI::App& app, PlayerSettings& settings)
+{
+  const Words<GrabberKind> words{{"pcd", GrabberKind::PcdFiles},
+                                 {"image", GrabberKind::ImageFiles},
+                                 {"openni2", GrabberKind::OpenNI2},
+                                 {"realsense2", GrabberKind::RealSense2}};
+  return addWord (app,
+                  "--grabber",
+                  "read by one of PCL's grabbers: files, or a live camera",
+                  settings.grabber,
+                  words);
+}
+
+void
+checkSource (const PlayerSettings& settings, const std::string& name)
+{
+  const bool camera = settings.isCamera();
+  if (settings.source.empty() && !camera)
+    throw UsageError (name + ": missing; only a camera (--grabber) needs none");
+  if (settings.grabber != GrabberKind::None && settings.reading.distortion)
+    throw UsageError ("--distortion: clouds of a --grabber have none");
+  if (camera && settings.rate)
+    throw UsageError ("--rate: a camera has its own");
+  if (camera && settings.every_frame)
+    throw UsageError ("--as-fast-as-possible: a camera does not wait");
+}
+
 } // namespace pcl_msf::tool

@@ -2,7 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "common/player/frame_reader.h"
+#include "common/player/player_settings.h"
+#include "common/player/stream_frame.h"
 #include <pcl_msf/scene_flow_tracker.h>
 
 #include <functional>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-// A recording played as a camera would deliver it, into the tracker.
+// A camera, or a recording played as one would deliver it, into the tracker.
 #include "common/input_files.h"
 #include "common/interruption.h"
 #include "common/output_folder.h"
 #include "common/player/frame_player.h"
+#include "common/player/open_source.h"
 #include "common/player/stream_tracker.h"
-#include "common/recordings.h"
 #include "common/standard_streams.h"
 #include "common/tool_main.h"
 #include "io/base/output_file.h"
@@ -16,6 +16,7 @@
 #include <pcl_msf/io/pose_files.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <regex>
 #include <vector>
@@ -48,9 +49,11 @@ public:
   {
     if (options.output.empty())
       return;
-    requireOutside ("--output", options.output, options.source);
     InputFiles files;
-    files.add (options.source, options.output);
+    if (!options.isCamera()) {
+      requireOutside ("--output", options.output, folderOf (options.source));
+      files.add (options.source, options.output);
+    }
     folder_ = std::make_unique<OutputFolder> (options.output, kProgram);
     folder_->check (files, [] (const std::string& name) {
       static const std::regex names (
@@ -78,6 +81,15 @@ public:
   }
 
 private:
+  /** Of a list, that which it is in. */
+  static std::string
+  folderOf (const std::string& source)
+  {
+    const std::filesystem::path path = source;
+    if (std::filesystem::is_directory (path))
+      return source;
+    return path.has_parent_path() ? path.parent_path().string() : ".";
+  }
   std::string
   path (const std::string& name) const
   {
@@ -89,24 +101,23 @@ private:
   std::vector<io::TimedPose> poses_;
 };
 
-/** Until the recording ends, a signal comes, or nobody gets results any more. */
+/** Until the stream ends, a signal comes, or nobody gets results any more. */
 void
 playInto (StreamOutput& output,
           StreamStatistics& statistics,
-          const io::RgbdSequence& sequence,
+          FrameSource& source,
           const StreamOptions& options)
 {
-  FrameReader reader (sequence, options, warn);
   StreamTracker tracker (options);
   FramePlayer::Queue queue (options.queue);
-  FramePlayer player (sequence, options, reader, queue);
+  FramePlayer player (source, queue);
   while (const auto frame = queue.pop()) {
     if (interrupted())
       break;
     const StreamResult result = tracker.take (*frame);
     if (result.cancelled)
       break;
-    statistics.setDropped (queue.dropped() + player.skipped());
+    statistics.setDropped (queue.dropped() + source.skipped());
     statistics.add (result);
     if (!result.problem.empty()) {
       warn ("frame " + std::to_string (result.index) + ": lost: " + result.problem);
@@ -125,13 +136,11 @@ playInto (StreamOutput& output,
 int
 run (const StreamOptions& options)
 {
-  const auto sequence = openFrames (options.source, options.reading);
-  if (sequence->frames() < 2)
-    throw UsageError ("'" + options.source + "': holds one frame; two are needed");
+  const auto source = openSource (options, warn);
   limitThreads (options);
   StreamOutput output (options);
   StreamStatistics statistics;
-  playInto (output, statistics, *sequence, options);
+  playInto (output, statistics, *source, options);
   if (statistics.tracked() == 0)
     throwIfInterrupted();
   output.finish (statistics.json (options.source, interrupted()));

@@ -16,8 +16,9 @@ namespace {
 void
 addSourceOptions (CLI::App& app, StreamOptions& o)
 {
-  addText (app, "SOURCE", "PATH", "a recording", o.source)->required();
+  addText (app, "SOURCE", "PATH", "a recording, or a camera's number", o.source);
   beginGroup (app, "Input and output");
+  addGrabberOption (app, o);
   addReadingOptions (app, o.reading);
   addMaxTimeDifference (app,
                         "between colour and depth images of a recording",
@@ -75,7 +76,9 @@ declareStreamOptions (CLI::App& app, StreamOptions& options)
   app.final_callback ([&options] {
     checkSettings (options);
     checkWindow (options.window);
-    options.source = folderOf (options.source);
+    checkSource (options, "SOURCE");
+    if (options.grabber == GrabberKind::None)
+      options.source = folderOf (options.source);
   });
 }
 

@@ -6,6 +6,7 @@
 #include "common/depth_check.h"
 #include "common/interruption.h"
 #include "common/outcome_text.h"
+#include "common/player/open_source.h"
 #include "common/recordings.h"
 #include "common/result_folder.h"
 #include "common/tool_main.h"
@@ -35,12 +36,13 @@ constexpr const char* kSummary =
     "A live window: clouds, segments, the warp and displacement arrows.\n\n"
     "  pcl_msf_view FOLDER     frames; every one is solved to the next\n"
     "  pcl_msf_view FOLDER --stream             played as a camera would, and tracked\n"
+    "  pcl_msf_view --stream --grabber openni2  a live camera, or as pcl_msf_stream\n"
     "  pcl_msf_view RESULT --sequence FOLDER    what pcl_msf_scene_flow wrote";
 
 void
 declareOptions (CLI::App& app, ViewOptions& options)
 {
-  addText (app, "FOLDER", "PATH", "frames, or a result", options.source)->required();
+  addText (app, "FOLDER", "PATH", "frames, or a result", options.source);
   auto* sequence = addText (
       app, "--sequence", "FOLDER", "frames of a result folder", options.sequence);
   auto* stream = addFlag (app,
@@ -50,7 +52,9 @@ declareOptions (CLI::App& app, ViewOptions& options)
                           options.stream)
                      ->excludes (sequence);
   addRateOption (app, options)->needs (stream);
+  addGrabberOption (app, options)->needs (stream);
   addReadingOptions (app, options.reading);
+  app.final_callback ([&options] { checkSource (options, "FOLDER"); });
   app.footer (std::string ("Keys:\n") + ViewWindow::keys());
 }
 
@@ -132,11 +136,15 @@ open (const ViewOptions& options)
     return [pairs = openPairs (options)] {
       return std::make_unique<SequenceSolver> (pairs.count, pairs.make);
     };
-  return [&options, frames = openTwoOrMore (options)] {
+  const Warn warn_of_stream = [] (const std::string& text) {
+    complain ("pcl_msf_view", "warning: " + text);
+  };
+  // Solvers begin once; functions are copied.
+  auto source = std::make_shared<std::unique_ptr<FrameSource>> (
+      openSource (options, warn_of_stream, openFramesNotResults));
+  return [&options, source, warn_of_stream] {
     return std::make_unique<StreamSolver> (
-        frames, options, [] (const std::string& text) {
-          complain ("pcl_msf_view", "warning: " + text);
-        });
+        std::move (*source), options, warn_of_stream);
   };
 }
 

@@ -10,10 +10,10 @@
 
 namespace pcl_msf::tool {
 
-StreamSolver::StreamSolver (std::shared_ptr<const io::RgbdSequence> sequence,
+StreamSolver::StreamSolver (std::unique_ptr<FrameSource> source,
                             const PlayerSettings& settings,
-                            FrameReader::Warn warn)
-: sequence_ (std::move (sequence))
+                            Warn warn)
+: source_ (std::move (source))
 , settings_ (settings)
 , warn_ (std::move (warn))
 , title_ ("waiting for the second frame")
@@ -43,9 +43,8 @@ StreamSolver::run()
 void
 StreamSolver::play()
 {
-  FrameReader reader (*sequence_, settings_, warn_);
   StreamTracker tracker (settings_, [this] { return !stop_; });
-  FramePlayer player (*sequence_, settings_, reader, queue_);
+  FramePlayer player (*source_, queue_);
   while (const auto frame = queue_.pop()) {
     if (stop_)
       return;
@@ -86,7 +85,7 @@ StreamSolver::publish (const StreamFrame& frame,
                             std::to_string (result.reference) + ", " +
                             std::to_string (result.groups) + " motion groups, " +
                             fixedText (1e3 * result.latency, 0) + " ms, dropped " +
-                            std::to_string (queue_.dropped());
+                            std::to_string (queue_.dropped() + source_->skipped());
   const std::lock_guard<std::mutex> lock (mutex_);
   newest_ = std::move (clouds);
   title_ = title;

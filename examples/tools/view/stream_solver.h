@@ -2,25 +2,27 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "common/player/frame_maker.h"
 #include "common/player/frame_player.h"
 #include "common/player/stream_tracker.h"
 #include "view/result_source.h"
 
 #include <atomic>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <thread>
 
 namespace pcl_msf::tool {
 
-/** \brief Plays a recording into the tracker; the newest result can be looked at. */
+/** \brief Plays a stream into the tracker; the newest result can be looked at. */
 class StreamSolver : public ResultSource {
 public:
   /** \brief Begins. \param warn takes what is not right with frames; called by other
    * threads. The settings must outlive the solver */
-  StreamSolver (std::shared_ptr<const io::RgbdSequence> sequence,
+  StreamSolver (std::unique_ptr<FrameSource> source,
                 const PlayerSettings& settings,
-                FrameReader::Warn warn);
+                Warn warn);
 
   /** \brief Ends the stream and waits for its threads. */
   ~StreamSolver() override;
@@ -50,9 +52,9 @@ private:
   void
   publish (const StreamFrame& frame, const StreamResult& result, const SceneFlow& flow);
 
-  const std::shared_ptr<const io::RgbdSequence> sequence_;
+  const std::unique_ptr<FrameSource> source_;
   const PlayerSettings& settings_;
-  const FrameReader::Warn warn_;
+  const Warn warn_;
   std::map<int, cv::Mat> colors_; ///< of the reference and frames after it, by index
   mutable std::mutex mutex_;      ///< of the next three
   Result newest_;

@@ -17,23 +17,6 @@ namespace fs = std::filesystem;
 
 constexpr int kDeepest = 6;
 
-bool
-isDigit (char c)
-{
-  return std::isdigit (static_cast<unsigned char> (c)) != 0;
-}
-
-/** The run of digits at a position, without leading zeros. */
-std::string
-digitsAt (const std::string& text, std::size_t& at)
-{
-  std::string digits;
-  for (; at < text.size() && isDigit (text[at]); ++at)
-    if (!digits.empty() || text[at] != '0')
-      digits.push_back (text[at]);
-  return digits;
-}
-
 fs::path
 withoutSlash (const std::string& path)
 {
@@ -67,26 +50,6 @@ collect (const std::string& path,
 }
 
 } // namespace
-
-bool
-naturalLess (const std::string& a, const std::string& b)
-{
-  std::size_t i = 0, j = 0;
-  while (i < a.size() && j < b.size()) {
-    if (isDigit (a[i]) && isDigit (b[j])) {
-      const std::string x = digitsAt (a, i), y = digitsAt (b, j);
-      if (x != y)
-        return x.size() != y.size() ? x.size() < y.size() : x < y;
-    }
-    else if (a[i] != b[j])
-      return a[i] < b[j];
-    else
-      ++i, ++j;
-  }
-  if (a.size() - i != b.size() - j)
-    return a.size() - i < b.size() - j;
-  return a < b;
-}
 
 std::string
 inside (const std::string& folder, const std::string& name)
@@ -135,26 +98,10 @@ trailingNumber (const std::string& path)
 {
   const std::string stem = fs::path (path).stem().string();
   std::size_t begin = stem.size();
-  while (begin > 0 && isDigit (stem[begin - 1]))
+  while (begin > 0 && std::isdigit (static_cast<unsigned char> (stem[begin - 1])) != 0)
     --begin;
   int number = -1;
   return parseNumber (std::string_view (stem).substr (begin), number) ? number : -1;
-}
-
-std::vector<std::string>
-filesIn (const std::string& folder, const std::vector<std::string>& extensions)
-{
-  std::vector<std::string> files;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator (folder, error)) {
-    const std::string path = entry.path().string();
-    const std::string extension = lowerExtension (path);
-    if (isFile (path) &&
-        std::find (extensions.begin(), extensions.end(), extension) != extensions.end())
-      files.push_back (path);
-  }
-  std::sort (files.begin(), files.end(), naturalLess);
-  return files;
 }
 
 std::vector<std::string>

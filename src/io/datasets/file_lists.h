@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "io/base/folder_files.h"
+
 #include <functional>
 #include <string>
 #include <vector>
@@ -11,10 +13,6 @@ namespace pcl_msf::io {
 /** \brief Of colour images, in small letters with the dot; the first of them counts. */
 inline const std::vector<std::string> kColorExtensions{
     ".png", ".jpg", ".jpeg", ".ppm", ".pgm", ".bmp", ".tiff", ".tif", ".webp"};
-
-/** \brief Order of names in which runs of digits count by their value: a2 < a10. */
-bool
-naturalLess (const std::string& a, const std::string& b);
 
 /** \brief `folder`/`name`. */
 std::string
@@ -41,11 +39,6 @@ padded (int number, int digits);
 /** \brief The number at the end of a file's name before its extension; -1 without. */
 int
 trailingNumber (const std::string& path);
-
-/** \brief Paths of the files in a folder whose lower-case extension is among those
- * given, in natural order; none when there is no such folder. */
-std::vector<std::string>
-filesIn (const std::string& folder, const std::vector<std::string>& extensions);
 
 /** \brief Names of the folders in a folder, in natural order. */
 std::vector<std::string>

@@ -4,7 +4,7 @@
 
 #include <pcl/PCLPointCloud2.h>
 
-#include "io/formats/pcd_header.h"
+#include "io/base/pcd_header.h"
 #include <pcl_msf/io/rgbd_images.h>
 
 #include <string>

@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include <pcl_msf/export.h>
+
 #include <string>
 
 namespace pcl_msf::io {
@@ -15,7 +17,7 @@ enum class PcdShape {
 /** \brief Checks a .pcd file's header against the size of the file, because PCL's
  * reader allocates what the header says. \return bytes before the header: those of a
  * byte order mark, or 0 \throws IoError */
-int
+PCL_MSF_EXPORT int
 checkPcdHeader (const std::string& path, PcdShape shape);
 
 } // namespace pcl_msf::io

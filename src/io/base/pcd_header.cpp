@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "io/formats/pcd_header.h"
+#include "io/base/pcd_header.h"
 
 #include <pcl/io/lzf.h>
 
