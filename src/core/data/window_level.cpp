@@ -7,6 +7,9 @@
 #include "core/frame/light_change.h"
 #include "core/window/exposure.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace pcl_msf {
 
 PointOptions
@@ -33,6 +36,19 @@ probePoints (const FrameLevel& level,
 
 namespace {
 
+/** What local means of intensity count beside contrast: all that errs alike over them
+ * makes them as unsure as whitened residuals have it, and a change of light more. */
+double
+meanShare (const WindowScene& scene, int level)
+{
+  if (scene.change.local)
+    return 0.0;
+  const int side = (2 * scene.tuning.frame.brightness.contrast_radius + 1) << level;
+  const double tile = scene.tuning.data.correlation.tile; // that the area was found in
+  const double inside = std::min (1.0, side * side / (tile * tile));
+  return 1.0 / std::sqrt (1.0 + (scene.brightness_area - 1.0) * inside);
+}
+
 void
 prepareFrame (const WindowScene& scene,
               int f,
@@ -44,9 +60,10 @@ prepareFrame (const WindowScene& scene,
   FrameLevel frame = scene.frames[f].levels()[level];
   if (!frame.intensity.empty() && !scene.exposure.empty())
     frame.intensity = correctIntensity (frame, scene.exposure[f], scene.falloff);
-  if (scene.change.local)
-    frame.intensity =
-        localContrast (frame.intensity, scene.tuning.frame.brightness.contrast_radius);
+  const double mean_share = meanShare (scene, level);
+  if (mean_share < 1.0)
+    frame.intensity = localContrast (
+        frame.intensity, scene.tuning.frame.brightness.contrast_radius, mean_share);
   const bool reference = f == scene.pairs.reference();
   if (reference && level == 0 && !scene.fused_depth.empty())
     frame.inverse_depth = scene.fused_depth;

@@ -33,6 +33,9 @@ struct WindowScene {
   /** ... or, as a window of several pairs needs it, all frames to the reference's: per
    * frame, its intensity from the reference's; empty leaves them as they are. */
   std::vector<BrightnessChange> exposure{};
+  /** Of a window: pixels of level 0 over which brightness errs alike, as adjacent
+   * frames told. It says less about local means than about contrast then. */
+  double brightness_area{1.0};
   double falloff{0.0}; ///< of brightness towards the corners, see fitFalloff
   std::unique_ptr<FlowEvidence> flow{}; ///< of the only pair; or none
   cv::Mat fused_depth{}; ///< of the reference, level 0, see DepthFusion; or empty

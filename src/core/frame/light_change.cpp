@@ -108,7 +108,7 @@ lightChanged (const MatchedIntensities& matches,
 }
 
 cv::Mat
-localContrast (const cv::Mat& intensity, int radius)
+localContrast (const cv::Mat& intensity, int radius, double mean_share)
 {
   cv::Mat mean;
   if (intensity.empty())
@@ -117,7 +117,7 @@ localContrast (const cv::Mat& intensity, int radius)
   inThisThread ([&] {
     cv::blur (intensity, mean, {side, side}, {-1, -1}, cv::BORDER_REFLECT);
   });
-  return intensity - mean;
+  return intensity - (1.0 - mean_share) * mean;
 }
 
 } // namespace pcl_msf

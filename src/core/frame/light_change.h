@@ -22,8 +22,9 @@ lightChanged (const MatchedIntensities& matches,
               const BrightnessTuning& tuning);
 
 /** \brief An image less its mean within some pixels around: what stays of it under
- * another light. \param intensity CV_32FC1; may be empty */
+ * another light. \param intensity CV_32FC1; may be empty \param mean_share of the mean
+ * that stays, in [0, 1] */
 cv::Mat
-localContrast (const cv::Mat& intensity, int radius);
+localContrast (const cv::Mat& intensity, int radius, double mean_share = 0.0);
 
 } // namespace pcl_msf

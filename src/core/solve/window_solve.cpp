@@ -155,6 +155,7 @@ WindowSolve::start (const RigidPose& guess, const std::vector<KnownStep>& known)
   scene_.noise = start.noise();
   scene_.exposure = start.exposure();
   scene_.change.local = start.lightChanged();
+  scene_.brightness_area = scene_.noise.areas.brightness;
   scene_.centroids = start.centroids();
   state_ = start.state();
 }
