@@ -71,19 +71,6 @@ tintScene (const std::vector<Eigen::Vector3f>& first,
   return scene;
 }
 
-double
-sizeOf (const std::vector<Eigen::Vector3f>& points)
-{
-  Eigen::Vector3f low = Eigen::Vector3f::Constant (INFINITY);
-  Eigen::Vector3f high = -low;
-  for (const auto& p : points)
-    if (p.allFinite()) {
-      low = low.cwiseMin (p);
-      high = high.cwiseMax (p);
-    }
-  return (high - low).norm();
-}
-
 /** A bundle of lines, as thick as can be seen. */
 void
 addAxis (const CloudJoint& joint, double size, Scene& scene)
@@ -112,7 +99,7 @@ partScene (const CloudResult& result)
     return result.part[i] < 0 ? kUnknownColor : lightLabelColor (result.part[i]);
   };
   scene.points.push_back (litPoints (result.source, color));
-  const double size = sizeOf (result.source);
+  const double size = 2.0 * cloudBounds (result.source).radius;
   int listed = 0;
   for (const CloudJoint& joint : result.joints) {
     addAxis (joint, size, scene);
@@ -168,6 +155,25 @@ cloudScene (PictureKind kind, const CloudResult& result)
                         " of clouds without a grid: take before_tints, after_tints, "
                         "warped or motions");
   }
+}
+
+SceneBounds
+cloudBounds (const std::vector<Eigen::Vector3f>& points)
+{
+  Eigen::Vector3f low = Eigen::Vector3f::Constant (INFINITY);
+  Eigen::Vector3f high = -low;
+  for (const auto& p : points)
+    if (p.allFinite()) {
+      low = low.cwiseMin (p);
+      high = high.cwiseMax (p);
+    }
+  SceneBounds bounds;
+  if (!(low.x() <= high.x()))
+    return bounds;
+  bounds.center = (0.5F * (low + high)).cast<double>();
+  bounds.radius = std::max (1e-12, 0.5 * (high - low).cast<double>().norm());
+  bounds.distance = bounds.center.norm();
+  return bounds;
 }
 
 double

@@ -60,24 +60,16 @@ kindsOf (const RenderOptions& options, const CloudResult& result)
   return kinds;
 }
 
-/** All of them are to be seen: feet and tails have few points. */
+/** With a margin. */
 SceneBounds
-boundsOf (const std::vector<Eigen::Vector3f>& points)
+boundsToSee (const std::vector<Eigen::Vector3f>& points)
 {
-  Eigen::Vector3f low = Eigen::Vector3f::Constant (INFINITY);
-  Eigen::Vector3f high = -low;
-  for (const auto& p : points)
-    if (p.allFinite()) {
-      low = low.cwiseMin (p);
-      high = high.cwiseMax (p);
-    }
-  if (!(low.x() <= high.x()))
+  if (std::none_of (
+          points.begin(), points.end(), [] (const auto& p) { return p.allFinite(); }))
     throw InvalidInput ("result: no point of the source has a known motion; there is "
                         "nothing to draw");
-  SceneBounds bounds;
-  bounds.center = (0.5F * (low + high)).cast<double>();
-  bounds.radius = std::max (1e-12, 0.55 * (high - low).cast<double>().norm());
-  bounds.distance = bounds.center.norm();
+  SceneBounds bounds = cloudBounds (points);
+  bounds.radius *= 1.1;
   return bounds;
 }
 
@@ -134,7 +126,7 @@ renderClouds (const RenderOptions& options)
              return name == toString (kind) + ".png";
            });
   });
-  const SceneBounds bounds = boundsOf (result.source);
+  const SceneBounds bounds = boundsToSee (result.source);
   const View view = viewOf (options, bounds);
   PictureStyle style = options.style;
   if (!(style.point_size > 0.0)) {

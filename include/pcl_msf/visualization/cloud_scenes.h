@@ -8,6 +8,7 @@
 #include <pcl_msf/export.h>
 #include <pcl_msf/visualization/result_scenes.h>
 #include <pcl_msf/visualization/scene.h>
+#include <pcl_msf/visualization/view.h>
 
 #include <vector>
 
@@ -33,6 +34,11 @@ cloudKinds ();
  * target and there is none */
 PCL_MSF_EXPORT Scene
 cloudScene (PictureKind kind, const CloudResult& result);
+
+/** \brief The middle and extent of all finite points: feet and tails have few. As
+ * SceneBounds{} when there are none. */
+PCL_MSF_EXPORT SceneBounds
+cloudBounds (const std::vector<Eigen::Vector3f>& points);
 
 /** \brief About the distance between neighbouring points, in their unit. */
 PCL_MSF_EXPORT double
