@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <Eigen/Geometry>
 
+#include "core/base/flatten.h"
 #include "evaluation/check_images.h"
 #include <pcl_msf/evaluation/flow_errors.h>
 #include <pcl_msf/evaluation/motion_errors.h>
@@ -91,7 +92,7 @@ struct PointPairs {
 
 /** Flat, so that no copy of Eigen's umeyama is left that a program's own, with another
  * alignment, could replace. */
-[[gnu::flatten]] RigidPose
+PCL_MSF_FLATTEN RigidPose
 fit (const PointPairs& pairs)
 {
   const auto n = static_cast<Eigen::Index> (pairs.from.size());

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <Eigen/Geometry>
 
+#include "core/base/flatten.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/evaluation/trajectory_errors.h>
 
@@ -45,7 +46,7 @@ chainMotions (const std::vector<RigidPose>& motions)
   return poses;
 }
 
-[[gnu::flatten]] double // see fit in pose_errors.cpp
+PCL_MSF_FLATTEN double // see fit in pose_errors.cpp
 absoluteTrajectoryError (const std::vector<RigidPose>& estimate,
                          const std::vector<RigidPose>& truth)
 {

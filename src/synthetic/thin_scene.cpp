@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/base/flatten.h"
 #include <synthetic/scene_builders.h>
 #include <synthetic/scene_props.h>
 
@@ -8,7 +9,7 @@
 namespace pcl_msf::synthetic {
 namespace {
 
-[[gnu::flatten]] void // so that none of Eigen's functions for aligned types is left
+PCL_MSF_FLATTEN void // so that none of Eigen's functions for aligned types is left
 addRod (SceneModel& scene,
         Random& random,
         int body,

@@ -5,6 +5,8 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
+#include "core/base/flatten.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +19,7 @@ constexpr double kRelativeRank = 1e-12; // eigenvalues below this share of the l
 /** F with A = F F': by Cholesky, or of lower rank by eigenvectors. Flat, so
  * that no copy of Eigen's functions for aligned 6x6 matrices is left that a program's
  * own, with another alignment, could replace. */
-[[gnu::flatten]] Matrix6
+PCL_MSF_FLATTEN Matrix6
 factor (const Matrix6& a, const Vector6& b, Vector6& y)
 {
   const Eigen::LLT<Eigen::Matrix<double, 6, 6>> llt (a);

@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/base/flatten.h"
 #include "core/motion/motion_state.h"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ StepReach::StepReach (std::vector<BodyShape> shapes,
 
 /** M, with d' M d the mean squared motion of the body's points when the pose parameters
  * change by d; pixels. */
-[[gnu::flatten]] Matrix6
+PCL_MSF_FLATTEN Matrix6
 StepReach::squaredMotion (int body, const RigidPose& pose) const
 {
   const Eigen::Matrix3d rotation = pose.rotation();
@@ -63,7 +64,7 @@ StepReach::squaredMotion (int body, const RigidPose& pose) const
 }
 
 /** Newton's method on 1 / |step| = 1 / reach, from the side of too little damping. */
-[[gnu::flatten]] void
+PCL_MSF_FLATTEN void
 StepReach::damp (int body,
                  const RigidPose& pose,
                  const Vector6& gradient,

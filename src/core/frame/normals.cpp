@@ -5,6 +5,7 @@
 #include <pcl/features/integral_image_normal.h>
 #include <pcl/point_types.h>
 
+#include "core/base/flatten.h"
 #include "core/base/order_statistics.h"
 
 #include <algorithm>
@@ -193,7 +194,7 @@ normalsByCentralDifferences (const cv::Mat& w,
 
 // Flat, so that no copy of the clouds' functions is left that a program's own, with
 // another allocator, could replace.
-[[gnu::flatten]] cv::Mat
+PCL_MSF_FLATTEN cv::Mat
 normalsByIntegralImage (const cv::Mat& w, const PinholeCamera& camera)
 {
   // Both clouds are made and freed here and keep their size: what frees or enlarges

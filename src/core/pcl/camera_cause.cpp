@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/base/flatten.h"
 #include "core/base/number_text.h"
 #include "core/pcl/cloud_pose.h"
 
@@ -42,7 +43,7 @@ nearestAxes (const Eigen::Matrix3d& rotation)
 }
 
 /** Rotation vector; none of Eigen's functions for aligned types is left shared. */
-[[gnu::flatten]] Eigen::Vector3d
+PCL_MSF_FLATTEN Eigen::Vector3d
 turnOf (const Eigen::Matrix3d& rotation)
 {
   const Eigen::AngleAxisd turn (rotation);

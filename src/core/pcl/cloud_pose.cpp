@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include "core/base/flatten.h"
 #include "core/pcl/ray_fit.h"
 
 #include <array>
@@ -131,8 +132,8 @@ struct Normalization {
 /** The 3x4 matrix that takes points to pixels, by weighted linear least squares; zero
  * when the points leave it open. pcl::estimateProjectionMatrix sums unscaled floats,
  * which loses the offset of a cloud far from the origin. */
-[[gnu::flatten]] Projection // none of Eigen's functions for aligned types is left
-                            // shared
+PCL_MSF_FLATTEN Projection // none of Eigen's functions for aligned types is left
+                           // shared
 fitProjection (const PixelPoints& samples, const std::vector<double>& weights)
 {
   const Normalization<2> flat (samples, [] (const PixelPoint& s) { return s.pixel; });

@@ -4,6 +4,8 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/base/flatten.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -47,7 +49,7 @@ scoreOf (const DataTerm& data, int segment, double residual_scale)
 
 /** F with F F' = inverse of A where A says something, scaled so that radians and metres
  * compare. Flat as the factor of a CompressedBlock. */
-[[gnu::flatten]] Matrix6
+PCL_MSF_FLATTEN Matrix6
 inverseFactor (const Matrix6& a)
 {
   const Vector6 scale = a.diagonal().cwiseMax (1e-300).cwiseSqrt().cwiseInverse();

@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 
+#include "core/base/flatten.h"
 #include "core/base/parallel_for.h"
 #include "core/result/common_errors.h"
 #include "core/segments/segment_graph.h"
@@ -24,7 +25,7 @@ parametersOf (const RigidPose& pose)
 }
 
 /** Flat as the factor of a CompressedBlock. */
-[[gnu::flatten]] Matrix6
+PCL_MSF_FLATTEN Matrix6
 inverseOf (const Matrix6& a)
 {
   const Vector6 scale = a.diagonal().cwiseMax (1e-300).cwiseSqrt().cwiseInverse();

@@ -4,6 +4,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "core/base/flatten.h"
 #include "core/result/link_evidence.h"
 #include "core/result/motion_groups.h"
 
@@ -17,7 +18,7 @@ namespace {
 /** Rank of an information matrix about the segment's own centroid, with rotations
  * measured at its radius, so that all six directions are metres. Flat as the factor of
  * a CompressedBlock. */
-[[gnu::flatten]] int
+PCL_MSF_FLATTEN int
 numericalRank (const Matrix6& information,
                const RigidPose& pose,
                const Eigen::Vector3d& c,

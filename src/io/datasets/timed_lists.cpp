@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/base/flatten.h"
 #include "core/base/number_text.h"
 #include "io/datasets/text_table.h"
 
@@ -42,7 +43,7 @@ quaternionOf (const TextTable& table, std::size_t row)
 
 /** The rigid motion a part of the way from one pose to another. Flat as numericalRank
  * in segment_results.cpp: no copy of a function for aligned quaternions is left. */
-[[gnu::flatten]] RigidPose
+PCL_MSF_FLATTEN RigidPose
 between (const RigidPose& from, const RigidPose& to, double part)
 {
   const Eigen::Quaterniond q0 (from.rotation()), q1 (to.rotation());
