@@ -145,20 +145,28 @@ SceneFlowTracker::learn (const WindowSolve& solve, const Window& window) const
 }
 
 /** Solves from the reference to the window's newest frame; a window of another
- * reference than the last one begins anew. A frame that shows nothing is passed over;
- * where others are lost, the next one begins anew without a prediction. */
+ * reference than the last one begins anew. A frame that the prediction does not lead to
+ * is looked for as a first one. A frame that shows nothing is passed over; where others
+ * are lost, the next one begins anew without a prediction. */
 void
 SceneFlowTracker::follow (Window window)
 {
   const bool anew = window.indices.front() != indices_.front();
   const std::vector<RgbdFrame> frames (window.frames.begin(), window.frames.end());
-  WindowSolve solve (
-      frames, 0, window.segments, energy_, solver_, multiframe_, currentTuning());
-  if (following_)
-    solve.follow (anew ? predictAnew (window.segments) : predictMotion());
-  MultiframeSceneFlow result =
-      solve.run (anew ? RigidPose{} : sceneFlow().dominant_motion);
-  std::shared_ptr<const Following> now = learn (solve, window);
+  std::unique_ptr<WindowSolve> solve;
+  MultiframeSceneFlow result;
+  const auto run = [&] (bool predicted) {
+    solve = std::make_unique<WindowSolve> (
+        frames, 0, window.segments, energy_, solver_, multiframe_, currentTuning());
+    if (predicted)
+      solve->follow (anew ? predictAnew (window.segments) : predictMotion());
+    result = solve->run (anew ? RigidPose{} : sceneFlow().dominant_motion);
+    return result.frames.back().report.stop_reason;
+  };
+  const StopReason end = run (following_ != nullptr);
+  if (solve->follows() && end == StopReason::DifferentPlaces)
+    run (false);
+  std::shared_ptr<const Following> now = learn (*solve, window);
   const Report& report = result.frames.back().report;
   const bool known = report.converged;
   const bool nothing_seen = report.stop_reason == StopReason::NothingDetermined;

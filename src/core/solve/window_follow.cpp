@@ -63,6 +63,7 @@ WindowSolve::startFollowing()
   state_.body_of = followed_->body_of;
   state_.weights.assign (scene_.links.size(), 1.0);
   state_.poses = {followed_->guesses.front()};
+  guessCommonStep();
   compareExposure (at, points);
   level_ = std::make_unique<WindowLevel> (
       scene_,

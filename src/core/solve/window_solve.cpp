@@ -88,10 +88,10 @@ WindowSolve::watchedSolver()
 MultiframeSceneFlow
 WindowSolve::run (const RigidPose& guess, const std::vector<KnownStep>& known)
 {
-  const bool follows = followed_ && startFollowing();
-  if (!follows)
+  follows_ = followed_ && startFollowing();
+  if (!follows_)
     start (guess, known);
-  solve (follows ? followSchedule() : isPair() ? pairSchedule (0) : windowSchedule());
+  solve (follows_ ? followSchedule() : isPair() ? pairSchedule (0) : windowSchedule());
   return finish();
 }
 

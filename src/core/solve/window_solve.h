@@ -63,6 +63,13 @@ public:
     followed_ = std::make_unique<FollowedMotion> (std::move (motion));
   }
 
+  /** \brief Did run () begin so? */
+  bool
+  follows () const
+  {
+    return follows_;
+  }
+
   /** \brief Two frames: run () down to a level, without a result; what a window of more
    * begins with. */
   void
@@ -136,6 +143,14 @@ private:
   start (const RigidPose& guess, const std::vector<KnownStep>& known);
   bool
   startFollowing ();
+  int
+  coarsestWhole () const;
+  void
+  enterWhole (int level);
+  RigidPose
+  registerWhole (const RigidPose& guess);
+  void
+  guessCommonStep ();
   void
   compareExposure (int level, const SegmentPixels& points);
   void
@@ -197,6 +212,7 @@ private:
   PairStart pair_start_;
   std::vector<RigidPose> given_start_;       ///< in place of a search; empty = search
   std::unique_ptr<FollowedMotion> followed_; ///< likewise
+  bool follows_{false};
   WindowState state_;
   std::vector<double> fit_;
   std::unique_ptr<WindowLevel> level_; ///< the present one

@@ -135,13 +135,13 @@ TEST (SceneFlowTracker, BeginsAnewWhenReferenceAndFrameShowTooLittleOfEachOther)
   }
 }
 
-/** Does a solve begin at the coarsest level, and not where bodies should be? */
+/** Does a solve begin with optical flow, and not where bodies should be? */
 bool
 searched (const SceneFlow& flow)
 {
   bool coarse = false;
   for (const IterationRecord& record : flow.report.history)
-    coarse |= record.level > 1;
+    coarse |= record.level > 1 && record.terms.flow > 0.0;
   return coarse;
 }
 
@@ -182,6 +182,19 @@ TEST (SceneFlowTracker, ANewReferenceFollowsTheBodiesOfTheLast)
     }
     ++frame;
   }
+}
+
+TEST (SceneFlowTracker, FollowsACameraThatJumps)
+{
+  const test::AnalyticScene scene = standingRoom();
+  const auto views = test::renderWindow (scene, 9);
+  SceneFlowTracker tracker = makeTracker ({});
+  for (const int frame : {0, 1, 2, 8})
+    tracker.add (scene.frame (views[frame]));
+  EXPECT_TRUE (tracker.sceneFlow().report.converged);
+  EXPECT_EQ (tracker.firstFrame(), 0);
+  EXPECT_FALSE (searched (tracker.sceneFlow()));
+  EXPECT_LT (distanceToTruth (scene, 8, tracker.cameraPose()), 0.004);
 }
 
 RgbdFrame

@@ -25,6 +25,7 @@ listValues (SolveTuning& tuning, TunedValues& values)
       {"solve.start_level", &tuning.start_level, 0, 10},
       {"solve.later_iterations", &tuning.later_iterations, 1, 1000},
       {"solve.finest_iterations", &tuning.finest_iterations, 1, 1000},
+      {"solve.align_level", &tuning.align_level, 0, 10},
       {"solve.more_cost", &tuning.more_cost, 0, 100},
       {"solve.most_lost", &tuning.most_lost, 0, 1},
       {"solve.tolerance_share", &tuning.tolerance_share, 1e-6, 1}};

@@ -39,6 +39,8 @@ struct SolveTuning {
   int start_level{1};        ///< poses are compared at half resolution; less is slower
   int later_iterations{3};   ///< of a round after the coarsest level's
   int finest_iterations{2};  ///< of the finest level's first round, before its bodies
+  int align_level{4};        ///< where a followed frame is first registered as a whole;
+                             ///< more finds what jumps farther
   double more_cost{0.5};     ///< of a residual than in the last frame: a segment that
                              ///< is followed is lost
   double most_lost{0.5};     ///< share of segments that a predicted motion may leave
