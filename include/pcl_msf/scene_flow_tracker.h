@@ -41,8 +41,9 @@ struct PCL_MSF_EXPORT TrackerParameters {
  * stays.
  *
  * The first frame is the reference: its points and segments are followed. Each new
- * frame is solved from where the reference's bodies should be by now, at their last
- * speed or at rest; only segments that do not fit there are looked for, and when they
+ * frame is solved from where the reference's bodies should be by now: at their last
+ * speed, at rest, or by what all have done together, as a coarse registration of the
+ * whole frame tells. Only segments that do not fit there are looked for, and when they
  * are many, the whole frame. What the frames measure is averaged into the reference's
  * depth. Once the newest frame and the reference show too little of each other, or the
  * motion is lost, the newest frame becomes the reference, with segments of its own.
