@@ -145,8 +145,6 @@ private:
   predictMotion () const;
   FollowedMotion
   predictAnew (const Oversegmentation& segments) const;
-  int
-  dominantBody () const;
   void
   adopt (Window window, MultiframeSceneFlow result);
   double

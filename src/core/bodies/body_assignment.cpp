@@ -132,6 +132,8 @@ Assignment::occupiedShare (int segment, int body) const
   return sum / ((1.0 - tuning_.border_share) * static_cast<double> (pairs_.size()));
 }
 
+/** That a segment would be unseen with the largest body does not contradict it: as much
+ * more evidence is wanted for leaving. */
 double
 Assignment::score (int segment, int body, double limit)
 {
@@ -144,15 +146,18 @@ Assignment::score (int segment, int body, double limit)
     const bool together = state_.body_of[n] == body;
     others += together ? 0.0 : strengths_[segment][i];
     all += strengths_[segment][i];
-    supported |= together && visible_[n];
+    supported |= together && (visible_[n] || body == largest_);
   }
   const double share = all > 0.0 ? others / all : 0.0;
   const DataTerm& sample = *pairs_.front().sample;
   const DataTerm::Probe p = probe (segment, body);
   const double hidden = supported ? 0.0 : p.hidden * sample.isolatedHiddenCost();
   const double independent = p.weight * pairs_.front().residual_scale;
+  const double unseen = probe (segment, largest_).hidden * sample.rules().occluded_cost;
   const double prior =
-      std::min (tuning_.most_prior, tuning_.prior / std::max (1.0, independent));
+      std::max (tuning_.least_prior,
+                std::min (tuning_.most_prior + unseen,
+                          tuning_.prior / std::max (1.0, independent)));
   const double sum = p.cost / std::max (p.weight, 1e-12) + hidden +
                      tuning_.separation * share + (body == largest_ ? 0.0 : prior);
   return sum >= limit

@@ -17,7 +17,9 @@ namespace pcl_msf {
  * assigned to the one with the lowest mean truncated cost per residual plus
  * `separation` times the share of its links, by their strength, to segments of other
  * bodies. All are assigned at once, so that the outcome does not depend on the order.
- * Bodies without segments disappear. Where most of a segment's points would land on the
+ * Bodies without segments disappear. What would be hidden or out of view costs as much
+ * as a conflict unless a neighbour that is seen, or one of the largest body, moves
+ * likewise. Where most of a segment's points would land on the
  * place of a larger body, up to a conflict is added (LandingMap). In a window only the
  * pairs from the reference count: the points of the others are where the present motion
  * put them. \return how many changed */

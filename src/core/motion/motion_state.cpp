@@ -2,6 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/motion/motion_state.h"
 
+#include <algorithm>
+
 namespace pcl_msf {
 
 std::vector<int>
@@ -23,6 +25,16 @@ WindowState::renumberBodies()
     of_pair.swap (kept);
   }
   return before;
+}
+
+int
+WindowState::largestBody() const
+{
+  std::vector<int> segments (bodies(), 0);
+  for (const int body : body_of)
+    ++segments[body];
+  return static_cast<int> (std::max_element (segments.begin(), segments.end()) -
+                           segments.begin());
 }
 
 } // namespace pcl_msf

@@ -94,6 +94,10 @@ struct WindowState {
    * the segments. \return what they were before */
   std::vector<int>
   renumberBodies ();
+
+  /** \brief The body of most segments, the first among equals; 0 without segments. */
+  int
+  largestBody () const;
 };
 
 } // namespace pcl_msf

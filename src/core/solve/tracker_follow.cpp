@@ -100,22 +100,12 @@ SceneFlowTracker::predictAnew (const Oversegmentation& segments) const
     motion.guesses[0].push_back (last.lastStep (k));
     motion.guesses[1].push_back (RigidPose{});
   }
+  const int largest = last.state.largestBody();
   for (const int k : former) {
-    motion.body_of.push_back (k < 0 ? dominantBody() : last.state.body_of[k]);
+    motion.body_of.push_back (k < 0 ? largest : last.state.body_of[k]);
     motion.costs.push_back (k < 0 ? 0.0 : last.costs[k]);
   }
   return motion;
-}
-
-/** The body of most segments. */
-int
-SceneFlowTracker::dominantBody() const
-{
-  std::vector<int> segments (following_->state.bodies(), 0);
-  for (const int body : following_->state.body_of)
-    ++segments[body];
-  return static_cast<int> (std::max_element (segments.begin(), segments.end()) -
-                           segments.begin());
 }
 
 /** What a solve from the window's reference tells about the next frame. */

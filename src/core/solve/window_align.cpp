@@ -7,21 +7,6 @@
 /* Where all bodies of WindowSolve have gone together, beyond what was predicted. */
 namespace pcl_msf {
 
-namespace {
-
-/** The body of most segments. */
-int
-largestBody (const WindowState& state)
-{
-  std::vector<int> segments (state.bodies(), 0);
-  for (const int body : state.body_of)
-    ++segments[body];
-  return static_cast<int> (std::max_element (segments.begin(), segments.end()) -
-                           segments.begin());
-}
-
-} // namespace
-
 /** A level on which all segments are one body. */
 void
 WindowSolve::enterWhole (int level)
@@ -62,7 +47,7 @@ void
 WindowSolve::guessCommonStep()
 {
   const WindowState predicted = state_;
-  const int largest = largestBody (predicted);
+  const int largest = predicted.largestBody();
   enterWhole (coarsestWhole());
   takeBestGuesses();
   const RigidPose before = state_.poses[0][largest];

@@ -16,8 +16,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr double kCertain = 1e9; // prior of AssignmentTuning, with a known background
-
 /** Pairs that take part: all, or those with the reference and those of frames near each
  * other. */
 std::vector<int>
@@ -287,7 +285,7 @@ WindowSolve::reassign()
   if (!isPair())
     rules.separation = rules.window_separation;
   if (multiframe_.static_background)
-    rules.prior = kCertain;
+    rules.least_prior = rules.most_prior;
   reassignBodies (level_->terms(), scene_.links, rules, scene_.threads, state_);
 }
 

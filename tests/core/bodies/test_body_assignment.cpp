@@ -162,6 +162,38 @@ TEST_F (CoveredTile, SmallBodyThatIsSeenKeepsItsMotion)
   EXPECT_EQ (state.body_of[test::kPlateTile], 1);
 }
 
+TEST_F (CoveredTile, LeavesTheImageWithTheLargestBody)
+{
+  // Two columns of tiles go out of view. That no neighbour of the outer one is left in
+  // the image does not speak against it; the place it fits by chance is no better.
+  constexpr int kOuter = 24;
+  MotionState state = scene_.solved();
+  state.poses[0] = test::tilesAway (-2, 0);
+  test::setApart (state, kOuter, test::tilesAway (0.4, 0.3));
+  EXPECT_GT (reassign (state), 0);
+  EXPECT_EQ (state.body_of[kOuter], state.body_of[test::kWallTile]);
+}
+
+TEST_F (CoveredTile, IsNoEvidenceAgainstTheLargestBodyThatHidesIt)
+{
+  // All but one tile go out of view. That one fits where it is; how much more than one
+  // would have to fit by chance, the prior says.
+  for (const double odds : {1.0, 1e9}) {
+    WindowState state (scene_.solved());
+    state.poses[0][0] = test::tilesAway (-9, 0);
+    state.body_of[test::kFree] = static_cast<int> (state.poses[0].size());
+    state.poses[0].emplace_back();
+    AssignmentTuning tuning;
+    tuning.separation = kSeparation;
+    tuning.prior = odds;
+    tuning.rounds = 1;
+    tuning.least_share = 1.0; // no other tile tries its motion
+    reassignBodies (scene_.terms (scene_.data()), scene_.links(), tuning, 1, state);
+    const bool joins = state.body_of[test::kFree] == state.body_of[test::kWallTile];
+    EXPECT_EQ (joins, odds > 1.0);
+  }
+}
+
 TEST_F (CoveredTile, SameForAnyNumberOfThreads)
 {
   std::vector<int> first;

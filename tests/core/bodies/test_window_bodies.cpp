@@ -146,6 +146,17 @@ TEST (WindowBodies, BodiesAreNumberedByTheirFirstSegment)
   }
 }
 
+TEST (WindowBodies, TheLargestBodyHasMostSegments)
+{
+  WindowState state;
+  state.poses = {{RigidPose{}, RigidPose{}, RigidPose{}}};
+  EXPECT_EQ (state.largestBody(), 0);
+  state.body_of = {2, 0, 1, 1, 0};
+  EXPECT_EQ (state.largestBody(), 0) << "of equals the first";
+  state.body_of.push_back (1);
+  EXPECT_EQ (state.largestBody(), 1);
+}
+
 TEST (WindowBodies, RigidBodiesAreWeighedByAllTheirPairs)
 {
   // One body of all plates: right in the first pair, right or wrong in two more.

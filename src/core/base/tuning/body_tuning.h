@@ -32,12 +32,13 @@ struct LandingTuning {
 struct AssignmentTuning {
   double separation{0.25};       ///< cost of leaving all neighbours
   double window_separation{0.2}; ///< the same in a window of more frames
-  double prior{25.0};     ///< natural logarithm of the odds that a segment belongs to
-                          ///< the largest body: what leaving it costs all of its
-                          ///< independent residuals together ...
-  double most_prior{0.5}; ///< ... and at the most the mean of them
-  double flow_worth{0.3}; ///< residuals that optical flow of a segment is worth:
-                          ///< little, as it errs over whole regions
+  double prior{25.0};      ///< natural logarithm of the odds that a segment belongs to
+                           ///< the largest body: what leaving it costs all of its
+                           ///< independent residuals together ...
+  double most_prior{0.5};  ///< ... and at the most the mean of them
+  double least_prior{0.0}; ///< and at the least: with a known background
+  double flow_worth{0.3};  ///< residuals that optical flow of a segment is worth:
+                           ///< little, as it errs over whole regions
   int rounds{3};
   int largest{6};             ///< bodies that every segment tries ...
   double least_share{0.0125}; ///< ... of so many of the segments: a single one fits
