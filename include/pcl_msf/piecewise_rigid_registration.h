@@ -42,7 +42,7 @@ namespace pcl_msf {
  * fields, header and sensor pose are the source's. It may be the source itself, not one
  * of the targets. A point without depth or with unknown motion is NaN, never
  * left where it was. The one 4x4 matrix of PCL's interface is the motion of the
- * dominant motion group (the one with most points); all the rest is in getSceneFlow.
+ * dominant motion group (of most visible points); all the rest is in getSceneFlow.
  *
  * <b>Clouds without a grid</b> (laser scans, merged or filtered clouds, vertices) are
  * registered by nearest neighbours, see setCorrespondence and CloudFlowEstimator: any

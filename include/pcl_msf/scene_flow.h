@@ -35,7 +35,7 @@ struct SegmentMotion {
   int visible_points{0}; ///< of those, seen in the current frame, too
   union {
     int group{-1}; ///< motion group: one rigid body, or several that the optimization
-                   ///< kept connected; 0 = the largest
+                   ///< kept connected; 0 has most visible points
     [[deprecated ("use group")]] int body;
   };
   Eigen::Vector3d centroid{Eigen::Vector3d::Zero()}; ///< reference frame, metres
@@ -180,7 +180,7 @@ struct PCL_MSF_EXPORT SceneFlow {
     [[deprecated ("use groups")]] int bodies;
   };
   union {
-    int dominant_group{-1}; ///< the motion group with most points
+    int dominant_group{-1}; ///< the motion group with most visible points
     [[deprecated ("use dominant_group")]] int dominant_body;
   };
   RigidPose

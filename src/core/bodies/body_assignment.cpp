@@ -26,13 +26,13 @@ public:
   round (int threads);
 
 private:
-  /** The bodies that every segment tries. */
+  /** The bodies that every segment tries: those of most points that are seen. */
   std::vector<int>
   largestBodies () const;
   DataTerm::Probe
   probe (int segment, int body);
   void
-  findVisibleSegments (int threads);
+  measureHidden (int threads);
   void
   mapLandings (int threads);
   double
@@ -56,8 +56,8 @@ private:
   std::vector<std::vector<double>> strengths_; ///< of the links to them
   int largest_{0};                             ///< body
   std::vector<std::vector<KnownProbe>> known_; ///< per segment
-  std::vector<char> visible_;        ///< per segment: mostly visible with its body
-  std::vector<MotionState> motions_; ///< per pair
+  std::vector<double> hidden_;                 ///< per segment: share, with its body
+  std::vector<MotionState> motions_;           ///< per pair
   std::vector<std::unique_ptr<LandingMap>> landings_; ///< likewise, of motions_
 };
 
@@ -82,10 +82,11 @@ Assignment::Assignment (const std::vector<PairTerms>& terms,
 std::vector<int>
 Assignment::largestBodies() const
 {
-  std::vector<int> points (state_.bodies(), 0);
+  std::vector<double> points (state_.bodies(), 0.0);
   std::vector<int> segments (state_.bodies(), 0);
   for (int k = 0; k < segments_; ++k) {
-    points[state_.body_of[k]] += pairs_.front().sample->pixels().size (k);
+    points[state_.body_of[k]] +=
+        (1.0 - hidden_[k]) * pairs_.front().sample->pixels().size (k);
     ++segments[state_.body_of[k]];
   }
   std::vector<int> order (points.size());
@@ -146,7 +147,7 @@ Assignment::score (int segment, int body, double limit)
     const bool together = state_.body_of[n] == body;
     others += together ? 0.0 : strengths_[segment][i];
     all += strengths_[segment][i];
-    supported |= together && (visible_[n] || body == largest_);
+    supported |= together && (body == largest_ || hidden_[n] < tuning_.mostly_hidden);
   }
   const double share = all > 0.0 ? others / all : 0.0;
   const DataTerm& sample = *pairs_.front().sample;
@@ -187,11 +188,11 @@ Assignment::choose (int segment, const std::vector<int>& largest)
 }
 
 void
-Assignment::findVisibleSegments (int threads)
+Assignment::measureHidden (int threads)
 {
-  visible_.assign (segments_, 0);
+  hidden_.assign (segments_, 0.0);
   parallelFor (threads, segments_, 8, [&] (int k) {
-    visible_[k] = probe (k, state_.body_of[k]).hidden < tuning_.mostly_hidden;
+    hidden_[k] = probe (k, state_.body_of[k]).hidden;
   });
 }
 
@@ -214,9 +215,9 @@ Assignment::mapLandings (int threads)
 int
 Assignment::round (int threads)
 {
+  measureHidden (threads);
   const std::vector<int> largest = largestBodies();
   largest_ = largest.front();
-  findVisibleSegments (threads);
   mapLandings (threads);
   std::vector<int> next (segments_);
   const int changes = parallelSum (threads, segments_, 8, [&] (int k) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace pcl_msf {
 
@@ -35,15 +36,21 @@ groupBodies (const MotionState& state,
   return group_of;
 }
 
-/** Points per body or group. */
-std::vector<int>
+/** Points that are seen in the current frame, all points: of two, the larger one is
+ * what more is known of. */
+using Size = std::pair<int, int>;
+
+/** Per body or group. */
+std::vector<Size>
 countPoints (const std::vector<SegmentMotion>& segments, const std::vector<int>& of)
 {
-  std::vector<int> points (of.empty() ? 0
+  std::vector<Size> sizes (of.empty() ? 0
                                       : 1 + *std::max_element (of.begin(), of.end()));
-  for (std::size_t k = 0; k < segments.size(); ++k)
-    points[of[k]] += segments[k].points;
-  return points;
+  for (std::size_t k = 0; k < segments.size(); ++k) {
+    sizes[of[k]].first += segments[k].visible_points;
+    sizes[of[k]].second += segments[k].points;
+  }
+  return sizes;
 }
 
 } // namespace
@@ -55,22 +62,22 @@ numberGroups (const MotionState& state, const GroupTuning& tuning, SceneFlow& re
   std::vector<int> group_of (state.body_of.size());
   for (std::size_t k = 0; k < group_of.size(); ++k)
     group_of[k] = group_of_body[state.body_of[k]];
-  const std::vector<int> points = countPoints (result.segments, group_of);
-  std::vector<int> order (points.size());
+  const std::vector<Size> sizes = countPoints (result.segments, group_of);
+  std::vector<int> order (sizes.size());
   std::iota (order.begin(), order.end(), 0);
   std::stable_sort (
-      order.begin(), order.end(), [&] (int a, int b) { return points[a] > points[b]; });
-  std::vector<int> rank (points.size());
+      order.begin(), order.end(), [&] (int a, int b) { return sizes[a] > sizes[b]; });
+  std::vector<int> rank (sizes.size());
   for (std::size_t i = 0; i < order.size(); ++i)
     rank[order[i]] = static_cast<int> (i);
-  const std::vector<int> body_points = countPoints (result.segments, state.body_of);
+  const std::vector<Size> body_sizes = countPoints (result.segments, state.body_of);
   int largest = -1;
   for (std::size_t k = 0; k < group_of.size(); ++k) {
     result.segments[k].group = rank[group_of[k]];
     result.groups = std::max (result.groups, result.segments[k].group + 1);
     const int body = state.body_of[k];
     if (result.segments[k].group == 0 &&
-        (largest < 0 || body_points[body] > body_points[largest]))
+        (largest < 0 || body_sizes[body] > body_sizes[largest]))
       largest = body;
   }
   result.dominant_group = largest < 0 ? -1 : 0;

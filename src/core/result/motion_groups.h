@@ -8,8 +8,9 @@
 
 namespace pcl_msf {
 
-/** \brief Numbers the motion groups by size and finds the dominant motion: that of the
- * largest rigid body in the largest group. \param result with segments and pairs; gets
+/** \brief Numbers the motion groups by size, which is points that the current frame
+ * sees, too, and finds the dominant motion: that of the largest rigid body in the
+ * largest group. \param result with segments and pairs; gets
  * the segments' groups and the dominant motion */
 void
 numberGroups (const MotionState& state, const GroupTuning& tuning, SceneFlow& result);

@@ -176,12 +176,13 @@ TEST_F (CoveredTile, LeavesTheImageWithTheLargestBody)
 
 TEST_F (CoveredTile, IsNoEvidenceAgainstTheLargestBodyThatHidesIt)
 {
-  // All but one tile go out of view. That one fits where it is; how much more than one
-  // would have to fit by chance, the prior says.
+  // The wall goes left and up, a tile at its left edge out of view. It fits where it
+  // is; how much more than one would have to fit by chance, the prior says.
+  constexpr int kOut = 25;
   for (const double odds : {1.0, 1e9}) {
     WindowState state (scene_.solved());
-    state.poses[0][0] = test::tilesAway (-9, 0);
-    state.body_of[test::kFree] = static_cast<int> (state.poses[0].size());
+    state.poses[0][0] = test::tilesAway (-4, -3);
+    state.body_of[kOut] = static_cast<int> (state.poses[0].size());
     state.poses[0].emplace_back();
     AssignmentTuning tuning;
     tuning.separation = kSeparation;
@@ -189,9 +190,25 @@ TEST_F (CoveredTile, IsNoEvidenceAgainstTheLargestBodyThatHidesIt)
     tuning.rounds = 1;
     tuning.least_share = 1.0; // no other tile tries its motion
     reassignBodies (scene_.terms (scene_.data()), scene_.links(), tuning, 1, state);
-    const bool joins = state.body_of[test::kFree] == state.body_of[test::kWallTile];
+    const bool joins = state.body_of[kOut] == state.body_of[test::kWallTile];
     EXPECT_EQ (joins, odds > 1.0);
   }
+}
+
+TEST_F (CoveredTile, TheLargestBodyIsTheOneOfMostPointsThatAreSeen)
+{
+  // Most tiles hide out of view, which nothing contradicts; the rest has what is seen.
+  WindowState state (scene_.solved());
+  state.poses[0].push_back (test::tilesAway (-9, 0));
+  for (int k = 0; k < 48; ++k)
+    if (k / 8 >= 2)
+      state.body_of[k] = 2;
+  AssignmentTuning tuning;
+  tuning.separation = kSeparation;
+  tuning.prior = 1e9;
+  reassignBodies (scene_.terms (scene_.data()), scene_.links(), tuning, 1, state);
+  ASSERT_EQ (state.bodies(), 1);
+  EXPECT_EQ (state.poses[0][0].parameters, scene_.solved().poses[0].parameters);
 }
 
 TEST_F (CoveredTile, SameForAnyNumberOfThreads)

@@ -127,6 +127,16 @@ TEST (MotionGroups, TheLargestIsFirst)
   EXPECT_EQ (scene.dominant_motion.parameters, half.state_.poses[0].parameters);
 }
 
+TEST (MotionGroups, TheLargestIsTheOneOfMostPointsThatAreSeen)
+{
+  SlidingHalf half (4, 3, 1, false);
+  half.state_.poses[0].parameters[3] = -20.0; // metres: out of view
+  const SceneFlow scene = half.result();
+  EXPECT_EQ (scene.segments[3].group, 0);
+  EXPECT_EQ (scene.segments[0].group, 1);
+  EXPECT_EQ (scene.dominant_motion.parameters, half.state_.poses[1].parameters);
+}
+
 TEST (MotionGroups, SameForAnyNumberOfThreads)
 {
   const SlidingHalf half (6, 3, 3, true);
