@@ -20,6 +20,7 @@ public:
   Assignment (const std::vector<PairTerms>& terms,
               const std::vector<SegmentLink>& links,
               const AssignmentTuning& tuning,
+              bool hides,
               WindowState& state);
 
   int
@@ -50,6 +51,7 @@ private:
 
   const std::vector<PairTerms> pairs_;
   const AssignmentTuning& tuning_;
+  const bool hides_; ///< the largest body may hide segments
   WindowState& state_;
   const int segments_;
   std::vector<std::vector<int>> neighbors_;
@@ -64,9 +66,11 @@ private:
 Assignment::Assignment (const std::vector<PairTerms>& terms,
                         const std::vector<SegmentLink>& links,
                         const AssignmentTuning& tuning,
+                        bool hides,
                         WindowState& state)
 : pairs_ (fromReference (terms))
 , tuning_ (tuning)
+, hides_ (hides)
 , state_ (state)
 , segments_ (static_cast<int> (state.body_of.size()))
 , neighbors_ (neighborLists (links, segments_))
@@ -147,14 +151,16 @@ Assignment::score (int segment, int body, double limit)
     const bool together = state_.body_of[n] == body;
     others += together ? 0.0 : strengths_[segment][i];
     all += strengths_[segment][i];
-    supported |= together && (body == largest_ || hidden_[n] < tuning_.mostly_hidden);
+    supported |= together &&
+                 ((hides_ && body == largest_) || hidden_[n] < tuning_.mostly_hidden);
   }
   const double share = all > 0.0 ? others / all : 0.0;
   const DataTerm& sample = *pairs_.front().sample;
   const DataTerm::Probe p = probe (segment, body);
   const double hidden = supported ? 0.0 : p.hidden * sample.isolatedHiddenCost();
   const double independent = p.weight * pairs_.front().residual_scale;
-  const double unseen = probe (segment, largest_).hidden * sample.rules().occluded_cost;
+  const double unseen =
+      hides_ ? probe (segment, largest_).hidden * sample.rules().occluded_cost : 0.0;
   const double prior =
       std::max (tuning_.least_prior,
                 std::min (tuning_.most_prior + unseen,
@@ -235,9 +241,10 @@ reassignBodies (const std::vector<PairTerms>& terms,
                 const std::vector<SegmentLink>& links,
                 const AssignmentTuning& tuning,
                 int threads,
+                bool hides,
                 WindowState& state)
 {
-  Assignment assignment (terms, links, tuning, state);
+  Assignment assignment (terms, links, tuning, hides, state);
   int total = 0;
   for (int i = 0; i < tuning.rounds; ++i) {
     const int changes = assignment.round (threads);

@@ -18,16 +18,19 @@ namespace pcl_msf {
  * `separation` times the share of its links, by their strength, to segments of other
  * bodies. All are assigned at once, so that the outcome does not depend on the order.
  * Bodies without segments disappear. What would be hidden or out of view costs as much
- * as a conflict unless a neighbour that is seen, or one of the largest body, moves
- * likewise. Where most of a segment's points would land on the
- * place of a larger body, up to a conflict is added (LandingMap). In a window only the
- * pairs from the reference count: the points of the others are where the present motion
- * put them. \return how many changed */
+ * as a conflict unless a neighbour that is seen moves likewise. Where most of a
+ * segment's points would land on the place of a larger body, up to a conflict is added
+ * (LandingMap). In a window only the pairs from the reference count: the points of the
+ * others are where the present motion put them.
+ * \param hides the largest body may hide segments: that needs no neighbour that is seen
+ * and is no evidence against it. Not where motions come from frames before, which would
+ * have told. \return how many changed */
 int
 reassignBodies (const std::vector<PairTerms>& terms,
                 const std::vector<SegmentLink>& links,
                 const AssignmentTuning& tuning,
                 int threads,
+                bool hides,
                 WindowState& state);
 
 } // namespace pcl_msf

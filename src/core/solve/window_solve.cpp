@@ -286,7 +286,8 @@ WindowSolve::reassign()
     rules.separation = rules.window_separation;
   if (multiframe_.static_background)
     rules.least_prior = rules.most_prior;
-  reassignBodies (level_->terms(), scene_.links, rules, scene_.threads, state_);
+  const bool hides = isPair() && !follows_;
+  reassignBodies (level_->terms(), scene_.links, rules, scene_.threads, hides, state_);
 }
 
 } // namespace pcl_msf
