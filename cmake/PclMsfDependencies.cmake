@@ -34,6 +34,23 @@ else ()
     "libopencv-contrib-dev): no Felzenszwalb and no SLIC segmentation")
 endif ()
 
+include (PclMsfLazyLibraries)
+pcl_msf_lazy_library (imgcodecs _ZN2cv8imdecodeERKNS_11_InputArrayEi
+  _ZN2cv8imencodeERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEERKNS_11_InputArrayERSt6vectorIhSaIhEERKSB_IiSaIiEE)
+if (PCL_MSF_XIMGPROC)
+  pcl_msf_lazy_library (ximgproc _ZN2cv8ximgproc12segmentation23createGraphSegmentationEdfi
+    _ZN2cv8ximgproc20createSuperpixelSLICERKNS_11_InputArrayEiif)
+endif ()
+if (TARGET opencv_optflow)
+  pcl_msf_lazy_library (optflow _ZN2cv7optflow22createOptFlow_DualTVL1Ev)
+endif ()
+# PCL's io needs libpng, too. Without it OpenCV decodes PNG files.
+find_package (PNG QUIET)
+set (PCL_MSF_PNG "")
+if (PNG_FOUND)
+  set (PCL_MSF_PNG PNG::PNG)
+endif ()
+
 if (PCL_MSF_BUILD_VISUALIZATION)
   include (PclMsfVtk)
   if (PCL_MSF_VTK_PROBLEM AND NOT PCL_MSF_BUILD_VISUALIZATION STREQUAL "AUTO")

@@ -28,7 +28,7 @@ install (FILES
 # them in Libs, a shared one keeps them private.
 set (pc_dependencies "-lopencv_features2d -lopencv_video -lopencv_imgproc -lceres -lglog -lpcl_features \
 -pthread")
-if (PCL_MSF_XIMGPROC)
+if (PCL_MSF_XIMGPROC AND NOT PCL_MSF_XIMGPROC_FILES)
   string (PREPEND pc_dependencies "-lopencv_ximgproc ")
 endif ()
 if (BUILD_SHARED_LIBS)

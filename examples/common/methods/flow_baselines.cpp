@@ -9,6 +9,7 @@
 #include "common/methods/baselines.h"
 #include "common/methods/lifting.h"
 #include "common/stop_watch.h"
+#include "core/base/lazy_library.h"
 
 namespace pcl_msf::tool {
 
@@ -65,10 +66,27 @@ DisFlow::run (const PairData& pair) const
 }
 
 #ifdef PCL_MSF_HAS_OPTFLOW
+namespace {
+
+cv::Ptr<cv::optflow::DualTVL1OpticalFlow>
+dualTvL1 ()
+{
+#ifdef PCL_MSF_OPTFLOW_FILES
+  using Create = cv::Ptr<cv::optflow::DualTVL1OpticalFlow>();
+  static auto* const create = loadFunction<Create> (
+      {PCL_MSF_OPTFLOW_FILES}, "_ZN2cv7optflow22createOptFlow_DualTVL1Ev");
+  return create();
+#else
+  return cv::optflow::createOptFlow_DualTVL1();
+#endif
+}
+
+} // namespace
+
 Estimate
 TvL1Flow::run (const PairData& pair) const
 {
-  const auto algorithm = cv::optflow::DualTVL1OpticalFlow::create();
+  const auto algorithm = dualTvL1();
   algorithm->setScaleStep (0.5);
   algorithm->setScalesNumber (6);
   algorithm->setEpsilon (0.02);

@@ -3,7 +3,6 @@
 #include <pcl/io/image_grabber.h>
 #include <pcl/point_types.h>
 
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "common/command_line.h"
@@ -12,6 +11,7 @@
 #include "io/base/classic_locale.h"
 #include "io/base/folder_files.h"
 #include <pcl_msf/errors.h>
+#include <pcl_msf/io/images.h>
 
 #include <algorithm>
 #include <cmath>
@@ -64,9 +64,7 @@ requirePairs (const std::string& source, std::size_t depth, std::size_t color)
 cv::Mat
 requireImage (const std::string& file, bool color)
 {
-  cv::Mat image = cv::imread (file, cv::IMREAD_UNCHANGED); // no orientation tag counts
-  if (image.empty())
-    throw IoError (file + ": cannot be read; the file is missing or damaged");
+  cv::Mat image = io::readImage (file);
   const bool fits = color ? image.depth() == CV_8U && image.channels() >= 3
                           : image.type() == CV_16UC1;
   if (!fits)

@@ -58,6 +58,11 @@ writeLabels (const std::string& path, const cv::Mat& labels);
 PCL_MSF_EXPORT cv::Mat
 readMask (const std::string& path);
 
+/** \brief Reads an image of any format that OpenCV knows, as it is in the file.
+ * \return not empty; colours as BGR or BGRA \throws IoError */
+PCL_MSF_EXPORT cv::Mat
+readImage (const std::string& path);
+
 /** \brief Writes a picture in the format of the path's extension.
  * \param image CV_8UC1, CV_8UC3 (BGR) or CV_16UC1 \throws IoError */
 PCL_MSF_EXPORT void

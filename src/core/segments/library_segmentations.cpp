@@ -6,6 +6,7 @@
 #include <opencv2/ximgproc/segmentation.hpp>
 #include <opencv2/ximgproc/slic.hpp>
 
+#include "core/base/lazy_library.h"
 #include "core/base/opencv_threads.h"
 
 #include <algorithm>
@@ -14,6 +15,38 @@
 namespace pcl_msf {
 
 namespace {
+
+namespace ximgproc = cv::ximgproc;
+using GraphSegmentation = ximgproc::segmentation::GraphSegmentation;
+
+cv::Ptr<GraphSegmentation>
+graphSegmentation (double smoothing, float threshold, int min_size)
+{
+#ifdef PCL_MSF_XIMGPROC_FILES
+  static auto* const create =
+      loadFunction<cv::Ptr<GraphSegmentation> (double, float, int)> (
+          {PCL_MSF_XIMGPROC_FILES},
+          "_ZN2cv8ximgproc12segmentation23createGraphSegmentationEdfi");
+  return create (smoothing, threshold, min_size);
+#else
+  return ximgproc::segmentation::createGraphSegmentation (
+      smoothing, threshold, min_size);
+#endif
+}
+
+cv::Ptr<ximgproc::SuperpixelSLIC>
+superpixels (const cv::Mat& image, int size, float smoothness)
+{
+#ifdef PCL_MSF_XIMGPROC_FILES
+  static auto* const create = loadFunction<cv::Ptr<ximgproc::SuperpixelSLIC> (
+      cv::InputArray, int, int, float)> (
+      {PCL_MSF_XIMGPROC_FILES},
+      "_ZN2cv8ximgproc20createSuperpixelSLICERKNS_11_InputArrayEiif");
+  return create (image, ximgproc::SLIC, size, smoothness);
+#else
+  return ximgproc::createSuperpixelSLIC (image, ximgproc::SLIC, size, smoothness);
+#endif
+}
 
 cv::Mat
 depthWithHolesAtZero (const cv::Mat& inverse_depth)
@@ -53,7 +86,7 @@ segmentByFelzenszwalb (const FrameLevel& level,
   constexpr double kSmoothing = 0.5; // Felzenszwalb's sigma, pixels
   // The library drops small components by merging them; keep them to discard them.
   const int min_size = parameters.discard_small ? 1 : parameters.min_points;
-  const auto segmentation = cv::ximgproc::segmentation::createGraphSegmentation (
+  const auto segmentation = graphSegmentation (
       kSmoothing, static_cast<float> (parameters.threshold), min_size);
   cv::Mat labels;
   withThreads (threads, [&] {
@@ -79,8 +112,7 @@ segmentBySlic (const FrameLevel& level, int size, int threads)
   cv::merge (features, 2, image);
   cv::Mat labels;
   withThreads (threads, [&] {
-    const auto slic =
-        cv::ximgproc::createSuperpixelSLIC (image, cv::ximgproc::SLIC, size, 10.0f);
+    const auto slic = superpixels (image, size, 10.0f);
     slic->iterate (5);
     slic->enforceLabelConnectivity (25);
     slic->getLabels (labels);

@@ -4,9 +4,9 @@
 
 #include <boost/crc.hpp>
 
-#include <opencv2/imgcodecs.hpp>
-
 #include "io/base/input_file.h"
+#include "io/formats/image_codecs.h"
+#include <pcl_msf/errors.h>
 
 #include <algorithm>
 #include <array>
@@ -96,7 +96,10 @@ decodeImage (const std::string& path, int flags, const std::string& field)
     checkJpeg (file, bytes, field);
   cv::Mat image;
   try {
-    image = cv::imdecode (bytes, flags | cv::IMREAD_IGNORE_ORIENTATION);
+    image = decodeBytes (bytes, flags);
+  }
+  catch (const InvalidInput& problem) {
+    file.fail (field, problem.what());
   }
   catch (const cv::Exception&) {
     image.release();

@@ -6,6 +6,7 @@
 #include "io/base/input_file.h"
 #include "io/base/output_file.h"
 #include "io/formats/decode_image.h"
+#include "io/formats/image_codecs.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/float_files.h>
 #include <pcl_msf/io/images.h>
@@ -155,18 +156,26 @@ readMask (const std::string& path)
   return decodeImage (path, cv::IMREAD_GRAYSCALE, "mask") != 0;
 }
 
+cv::Mat
+readImage (const std::string& path)
+{
+  return decodeImage (path, cv::IMREAD_UNCHANGED, "image");
+}
+
 void
 writeImage (const std::string& path, const cv::Mat& image)
 {
   std::vector<unsigned char> bytes;
-  bool encoded = false;
   try {
-    encoded = !image.empty() && cv::imencode (lowerExtension (path), image, bytes);
+    bytes = encodeBytes (lowerExtension (path), image);
+  }
+  catch (const InvalidInput& problem) {
+    fail (path, problem.what());
   }
   catch (const cv::Exception&) {
-    encoded = false;
+    bytes.clear();
   }
-  if (!encoded)
+  if (bytes.empty())
     fail (path, "image: OpenCV cannot encode it in this format; use .png");
   writeBytes (path, bytes.data(), bytes.size());
 }
