@@ -3,6 +3,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "core/base/opencv_threads.h"
+#include "core/base/order_statistics.h"
 #include "io/base/drawing.h"
 #include <pcl_msf/io/figures.h>
 
@@ -17,26 +18,23 @@ namespace {
 
 constexpr int kBarHeight = 34;
 
-/** Finite values in ascending order. */
 std::vector<float>
-sortedValues (const cv::Mat& scalar)
+finiteValues (const cv::Mat& scalar)
 {
   std::vector<float> values;
+  values.reserve (scalar.total());
   for (int row = 0; row < scalar.rows; ++row)
     for (int col = 0; col < scalar.cols; ++col)
       if (std::isfinite (scalar.at<float> (row, col)))
         values.push_back (scalar.at<float> (row, col));
-  std::sort (values.begin(), values.end());
   return values;
 }
 
+/** 0 without values. Changes their order. */
 double
-percentile (const std::vector<float>& sorted, double share)
+percentile (std::vector<float>& values, double share)
 {
-  if (sorted.empty())
-    return 0.0;
-  const double last = static_cast<double> (sorted.size() - 1);
-  return sorted[static_cast<std::size_t> (share * last)];
+  return values.empty() ? 0.0 : quantile (values, share);
 }
 
 /** Colours the shares 0 .. 1; NaN is black. */
@@ -91,7 +89,11 @@ cv::Mat
 scalarPicture (const cv::Mat& scalar, double maximum, const std::string& unit)
 {
   CV_Assert (scalar.type() == CV_32FC1);
-  double top = maximum > 0.0 ? maximum : percentile (sortedValues (scalar), 0.99);
+  double top = maximum;
+  if (!(top > 0.0)) {
+    std::vector<float> values = finiteValues (scalar);
+    top = percentile (values, 0.99);
+  }
   if (!(top > 0.0))
     top = 1.0;
   const cv::Mat shares = scalar / top;
@@ -113,9 +115,9 @@ depthPicture (const cv::Mat& depth)
                                          ? 1.0F / z
                                          : std::numeric_limits<float>::quiet_NaN();
     }
-  const std::vector<float> sorted = sortedValues (inverse);
-  const double far = percentile (sorted, 0.01);
-  const double near = std::max (percentile (sorted, 0.99), far + 1e-6);
+  std::vector<float> values = finiteValues (inverse);
+  const double far = percentile (values, 0.01);
+  const double near = std::max (percentile (values, 0.99), far + 1e-6);
   const cv::Mat shares = (inverse - far) / (near - far);
   return withScaleBar (colorize (shares, cv::COLORMAP_TURBO),
                        cv::COLORMAP_TURBO,
