@@ -281,13 +281,16 @@ WindowSolve::merge()
 void
 WindowSolve::reassign()
 {
-  AssignmentTuning rules = scene_.tuning.bodies.assignment;
-  if (!isPair())
-    rules.separation = rules.window_separation;
-  if (multiframe_.static_background)
-    rules.least_prior = rules.most_prior;
-  const bool hides = isPair() && !follows_;
-  reassignBodies (level_->terms(), scene_.links, rules, scene_.threads, hides, state_);
+  AssignmentRules rules;
+  rules.window = !isPair();
+  rules.background = multiframe_.static_background;
+  rules.hides = isPair() && !follows_;
+  reassignBodies (level_->terms(),
+                  scene_.links,
+                  scene_.tuning.bodies.assignment,
+                  rules,
+                  scene_.threads,
+                  state_);
 }
 
 } // namespace pcl_msf
