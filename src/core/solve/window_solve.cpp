@@ -244,7 +244,8 @@ WindowSolve::minimize (int iterations)
   const SolveOutcome outcome = pcl_msf::minimize (energy, solver, monitor_, state_);
   report_.initial_cost = outcome.initial;
   report_.final_cost = outcome.final;
-  report_.stop_reason = endOfSolve (outcome.settled(), outcome.failed);
+  report_.stop_reason =
+      endOfSolve (outcome.settled (scene_.tuning.solve.settled), outcome.failed);
 }
 
 /** Lost segments try their neighbours' motions. \return did enough of them jump? */
