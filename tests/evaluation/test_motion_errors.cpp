@@ -129,7 +129,7 @@ TEST (SegmentErrors, AreHeldAgainstTheirInformation)
   const auto both = segmentErrors (flow, labels, bodies);
   EXPECT_NEAR (both.normalized_square, (4.0 + 36.0) / 2, 1e-6);
   EXPECT_NEAR (both.median_normalized_square, 20.0, 1e-6);
-  flow.segments[1].status = MotionStatus::Supported; // others know, not its own points
+  flow.segments[1].status = MotionStatus::Supported; // by others, not by its own points
   EXPECT_NEAR (segmentErrors (flow, labels, bodies).normalized_square, 4.0, 1e-6);
   flow.segments[0].status = MotionStatus::Supported;
   EXPECT_TRUE (std::isnan (segmentErrors (flow, labels, bodies).normalized_square));

@@ -97,7 +97,7 @@ TEST (MultiframeEstimator, TwoFramesAreAPair)
 
 TEST (MultiframeEstimator, PriorOfABackgroundIsNoOtherMethodForTwoFrames)
 {
-  // Nothing here is in doubt about its body: the prior has nothing to decide.
+  // Residuals tell every segment's body here: the prior has nothing to decide.
   const Room room (2);
   const Oversegmentation segments = room.segments (0);
   const SceneFlow pair =
