@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-// In a pipeline that knows pcl::Registration alone and chooses at run time.
+// In a pipeline that takes any pcl::Registration and chooses at run time.
 #include <pcl/registration/icp.h>
 
 #include "example_clouds.h"

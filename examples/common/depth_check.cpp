@@ -4,6 +4,7 @@
 
 #include "common/command_line.h"
 #include "core/base/number_text.h"
+#include "core/base/order_statistics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,17 +79,14 @@ checkDepth (const cv::Mat& depth,
   std::vector<float> measured = measuredDepth (depth);
   if (measured.empty())
     throw UsageError (name + ": depth: no pixel has one; give another image");
-  const auto middle =
-      measured.begin() + static_cast<std::ptrdiff_t> (measured.size() / 2);
-  std::nth_element (measured.begin(), middle, measured.end());
-  const double median = *middle;
+  const double middle = median (measured);
   const auto kept = std::count_if (measured.begin(), measured.end(), [&] (float z) {
     return z >= std::max (limits.min_depth, kNearest) && z <= limits.max_depth;
   });
   const double dropped =
       1.0 - static_cast<double> (kept) / static_cast<double> (measured.size());
   const bool unlikely =
-      !unit.defined && (median < kUnlikelyNear || median > kUnlikelyFar);
+      !unit.defined && (middle < kUnlikelyNear || middle > kUnlikelyFar);
   const bool much = kept == 0 || (dropped >= kMuchDropped && areDefaults (limits));
   if (!much && !unlikely)
     return {};
@@ -101,7 +99,7 @@ checkDepth (const cv::Mat& depth,
     text += ", and " + fixedText (100.0 * dropped, 0) +
             " % is dropped, not between --min-depth " + generalText (limits.min_depth) +
             " and --max-depth " + generalText (limits.max_depth);
-  text += "; " + remedy (median, unit);
+  text += "; " + remedy (middle, unit);
   if (kept == 0)
     throw UsageError (text);
   return text;

@@ -31,7 +31,7 @@ struct SegmentGuess {
  * miss. They are soft: at first a pair of weight 1 counts as all matches of its segment
  * together, in the end hardly more than one match. One of weight 1e6 or more is hard:
  * it is kept as exactly as the motion of its segment can. They are not checked: leave
- * doubtful ones out. Pairs of points that are not finite, in no segment
+ * uncertain ones out. Pairs of points that are not finite, in no segment
  * or left out have no effect.
  *
  * Segments are named by their labels as given: those of the label cloud, or the

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "core/base/number_text.h"
+#include "core/base/order_statistics.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/synthetic/body_clouds.h>
 #include <synthetic/body_shapes.h>
@@ -148,10 +149,7 @@ cutOff (double share, Random& random, BodyClouds& clouds)
   std::vector<float> along;
   for (const auto& p : clouds.target)
     along.push_back (p.dot (direction));
-  const auto most =
-      along.begin() + static_cast<std::ptrdiff_t> ((1.0 - share) * (along.size() - 1));
-  std::nth_element (along.begin(), most, along.end());
-  const float limit = *most;
+  const float limit = quantile (along, 1.0 - share);
   const auto beyond = [&] (const Eigen::Vector3f& p) {
     return p.dot (direction) > limit;
   };

@@ -5,6 +5,7 @@
 #include "support/compare_images.h"
 #include "support/expect_io_error.h"
 #include "support/format_bytes.h"
+#include "support/pose_matcher.h"
 #include "support/small_sequence.h"
 #include <pcl_msf/io/datasets.h>
 #include <pcl_msf/synthetic/sequence_writer.h>
@@ -166,14 +167,10 @@ TEST (Cases, ReadTheGeneratorsTruth)
   ASSERT_EQ (truth.bodies.size(), made.bodies.size());
   ASSERT_GT (made.bodies.size(), 1u);
   for (std::size_t label = 0; label < made.bodies.size(); ++label)
-    for (int i = 0; i < 6; ++i)
-      EXPECT_NEAR (truth.bodies[label]->parameters[i],
-                   made.bodies[label].framek_from_frame0[2].parameters[i],
-                   1e-6);
-  for (int i = 0; i < 6; ++i)
-    EXPECT_NEAR (sequence->cameraPose (2)->parameters[i],
-                 made.frame0_from_framek[2].parameters[i],
-                 1e-5);
+    EXPECT_THAT (*truth.bodies[label],
+                 test::isNear (made.bodies[label].framek_from_frame0[2], 1e-6, 1e-6));
+  EXPECT_THAT (*sequence->cameraPose (2),
+               test::isNear (made.frame0_from_framek[2], 1e-5, 1e-5));
 }
 
 TEST (Cases, ConcatenateMotionsBetweenOtherFrames)

@@ -4,6 +4,7 @@
 #include "support/compare_images.h"
 #include "support/expect_io_error.h"
 #include "support/format_bytes.h"
+#include "support/pose_matcher.h"
 #include "support/small_sequence.h"
 #include <pcl_msf/io/datasets.h>
 #include <pcl_msf/io/pose_files.h>
@@ -38,10 +39,8 @@ TEST (Tum, ReadsWhatTheGeneratorWrites)
   EXPECT_EQ (cv::norm (images.color, made.frames[1].color, cv::NORM_INF), 0.0);
   expectSame (images.depth, made.frames[1].depth, 0.000101, 5000, true);
   ASSERT_TRUE (sequence->cameraPose (1));
-  for (int i = 0; i < 6; ++i)
-    EXPECT_NEAR (sequence->cameraPose (1)->parameters[i],
-                 made.frame0_from_framek[1].parameters[i],
-                 1e-6);
+  EXPECT_THAT (*sequence->cameraPose (1),
+               test::isNear (made.frame0_from_framek[1], 1e-6, 1e-6));
   EXPECT_TRUE (sequence->truth (0, 1).flow.empty());
 }
 
@@ -133,10 +132,8 @@ TEST (Tum, ReadsTheTrajectoriesThatResultsHave)
   ASSERT_EQ (read.size(), 2U);
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_EQ (read[k].seconds, poses[k].seconds);
-    for (int i = 0; i < 6; ++i)
-      EXPECT_NEAR (read[k].world_from_camera.parameters[i],
-                   poses[k].world_from_camera.parameters[i],
-                   1e-6);
+    EXPECT_THAT (read[k].world_from_camera,
+                 test::isNear (poses[k].world_from_camera, 1e-6, 1e-6));
   }
 }
 

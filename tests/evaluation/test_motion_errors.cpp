@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
+#include "support/pose_matcher.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/evaluation/motion_errors.h>
 #include <pcl_msf/evaluation/trajectory_errors.h>
@@ -128,7 +129,7 @@ TEST (SegmentErrors, AreHeldAgainstTheirInformation)
   const auto both = segmentErrors (flow, labels, bodies);
   EXPECT_NEAR (both.normalized_square, (4.0 + 36.0) / 2, 1e-6);
   EXPECT_NEAR (both.median_normalized_square, 20.0, 1e-6);
-  flow.segments[1].status = MotionStatus::Supported; // others know, not its own points
+  flow.segments[1].status = MotionStatus::Supported; // by others, not by its own points
   EXPECT_NEAR (segmentErrors (flow, labels, bodies).normalized_square, 4.0, 1e-6);
   flow.segments[0].status = MotionStatus::Supported;
   EXPECT_TRUE (std::isnan (segmentErrors (flow, labels, bodies).normalized_square));
@@ -201,8 +202,7 @@ TEST (FitSegments, RecoversRigidMotionsAndFallsBack)
                                   cv::Mat (flow, true).reshape (3, 1),
                                   3);
   ASSERT_EQ (poses.size(), 3u);
-  for (int i = 0; i < 6; ++i)
-    EXPECT_NEAR (poses[0].parameters[i], truth.parameters[i], 1e-6);
+  EXPECT_THAT (poses[0], test::isNear (truth, 1e-6, 1e-6));
   EXPECT_NEAR (poses[1].angle(), 0.0, 1e-12); // two points: the mean translation
   EXPECT_NEAR (poses[1].translation().z(), 3.0, 1e-6);
   EXPECT_EQ (poses[2].parameters, RigidPose{}.parameters);

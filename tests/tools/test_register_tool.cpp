@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/box_chain.h"
-#include "support/run_tool.h"
+#include "support/expect_refusal.h"
 #include <gmock/gmock.h>
 #include <pcl_msf/io/cloud_files.h>
 #include <pcl_msf/io/data_folder.h>
@@ -182,10 +182,9 @@ TEST_F (RegisterCloudsTool, ReadsAnyDialectAndNamesWhatCannotBeWritten)
       io::DataFolder (folder_ ("seq")).frame (0).color.at<cv::Vec3b> (7, 7);
   EXPECT_EQ ((*warped) (7, 7).r, color[2]);
   EXPECT_EQ ((*warped) (7, 7).b, color[0]);
-  const ToolRun refused = run ("register_clouds", clouds + folder_ ("no/such.pcd"));
-  EXPECT_EQ (refused.status, 1);
-  EXPECT_EQ (refused.errorLines(), 1) << refused.err;
-  EXPECT_THAT (refused.err, HasSubstr ("such.pcd: cannot be written"));
+  const std::string nowhere = clouds + folder_ ("no/such.pcd");
+  expectRefusal (
+      run ("register_clouds", nowhere), nowhere, {"such.pcd: cannot be written"});
 }
 
 TEST_F (RegisterCloudsTool, EndsOnASignal)
@@ -219,9 +218,7 @@ TEST (RegisterTool, RefusesInOneLine)
         few + " " + few + output + " --tuning points.luck=1",
         few + " " + few + output + " --tuning points.match.isotropy=2",
         few + " " + few + output + " --tuning points.match.isotropy"}) {
-    const ToolRun refused = runTool (folder, kTool + arguments);
-    EXPECT_EQ (refused.status, 1) << arguments;
-    EXPECT_EQ (refused.errorLines(), 1) << refused.err;
+    expectRefusal (runTool (folder, kTool + arguments), arguments);
   }
   EXPECT_EQ (runTool (folder, kTool + "--help").status, 0);
 }

@@ -6,7 +6,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "support/box_chain.h"
-#include "support/run_tool.h"
+#include "support/expect_refusal.h"
 #include <gmock/gmock.h>
 #include <pcl_msf/io/point_files.h>
 
@@ -44,10 +44,8 @@ protected:
   void
   expectRefusal (const std::string& arguments, const std::string& words) const
   {
-    const ToolRun refused = run ("render", folder_ ("result ") + arguments);
-    EXPECT_EQ (refused.status, 1) << arguments;
-    EXPECT_EQ (refused.errorLines(), 1) << refused.err;
-    EXPECT_THAT (refused.err, HasSubstr (words));
+    pcl_msf::testing::expectRefusal (
+        run ("render", folder_ ("result ") + arguments), arguments, {words});
   }
 
   TemporaryFolder folder_;

@@ -140,9 +140,7 @@ TEST_F (RenderCase, NamesThePackageThatIsMissing)
       runTool (folder_,
                "env -u DISPLAY PATH=/nonexistent " + tool_ + " " + folder_ ("result") +
                    " --kind warped --output " + folder_ ("out"));
-  EXPECT_EQ (refused.status, 1);
-  EXPECT_EQ (refused.errorLines(), 1) << refused.err;
-  EXPECT_THAT (refused.err, HasSubstr ("install it (Debian: xvfb)"));
+  pcl_msf::testing::expectRefusal (refused, "warped", {"install it (Debian: xvfb)"});
 }
 
 TEST_F (RenderCase, AnimationsAreNumberedPictures)

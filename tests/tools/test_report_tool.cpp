@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "support/run_tool.h"
+#include "support/expect_refusal.h"
 #include <gmock/gmock.h>
 #include <pcl_msf/io/folders.h>
 #include <pcl_msf/io/result_files.h>
@@ -44,15 +44,13 @@ TEST (ReportTool, RefusesInOneLine)
                                        folder (""),
                                        "--csv " + folder ("none.csv"),
                                        std::string ("--x")}) {
-    const ToolRun refused = runTool (folder, kTool + arguments);
-    EXPECT_EQ (refused.status, 1) << arguments;
-    EXPECT_EQ (refused.errorLines(), 1) << refused.err;
+    expectRefusal (runTool (folder, kTool + arguments), arguments);
   }
   writeFile (folder ("t.csv"), "a,b\n1,2\n");
-  const ToolRun refused = runTool (
-      folder, kTool + "--csv " + folder ("t.csv") + " --output " + folder (""));
-  EXPECT_EQ (refused.status, 1);
-  EXPECT_THAT (refused.err, HasSubstr ("is a folder; give a file"));
+  const std::string to_folder =
+      "--csv " + folder ("t.csv") + " --output " + folder ("");
+  expectRefusal (
+      runTool (folder, kTool + to_folder), to_folder, {"is a folder; give a file"});
   EXPECT_EQ (runTool (folder, kTool + "--help").status, 0);
 }
 

@@ -6,7 +6,7 @@
 
 #include <opencv2/imgcodecs.hpp>
 
-#include "support/run_tool.h"
+#include "support/expect_refusal.h"
 #include "support/small_scene.h"
 #include <gmock/gmock.h>
 #include <pcl_msf/io/float_files.h>
@@ -47,9 +47,7 @@ protected:
   expectRefusal (const std::string& arguments, const std::string& words) const
   {
     const ToolRun refused = run (arguments);
-    EXPECT_GT (refused.status, 0) << arguments;
-    EXPECT_EQ (refused.errorLines(), 1) << refused.err;
-    EXPECT_THAT (refused.err, HasSubstr (words));
+    pcl_msf::testing::expectRefusal (refused, arguments, {words});
     EXPECT_EQ (refused.out, "");
     EXPECT_FALSE (std::filesystem::exists (result ("report.json"))) << arguments;
   }

@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "support/run_tool.h"
+#include "support/expect_refusal.h"
 #include "support/small_scene.h"
 #include <gmock/gmock.h>
 #include <pcl_msf/io/float_files.h>
@@ -199,12 +199,10 @@ TEST_F (SceneFlowWindow, OutputIsNeverTheRecording)
   std::filesystem::create_directory_symlink (folder_ ("case"), folder_ ("link"));
   for (const char* output : {"case", "link", "case/../link/.", "case/"})
     for (const char* mode : {"", " --track"}) {
-      const ToolRun refused =
-          run (" " + folder_ ("case") + mode + " --output " + folder_ (output));
-      EXPECT_GT (refused.status, 0) << output;
-      EXPECT_EQ (refused.errorLines(), 1) << refused.err;
-      EXPECT_THAT (refused.err, HasSubstr (folder_ (output)));
-      EXPECT_THAT (refused.err, HasSubstr ("give another folder"));
+      expectRefusal (
+          run (" " + folder_ ("case") + mode + " --output " + folder_ (output)),
+          output,
+          {folder_ (output), "give another folder"});
     }
   EXPECT_EQ (contentOf (folder_ ("case")), before);
 }
@@ -219,11 +217,9 @@ TEST_F (SceneFlowWindow, OutputIsNeverAnInputFile)
   std::filesystem::create_hard_link (folder_ ("out/labels_0.png"), folder_ ("h.png"));
   std::filesystem::create_symlink (folder_ ("out/labels_0.png"), folder_ ("s.png"));
   for (const char* labels : {"out/labels_0.png", "h.png", "s.png"}) {
-    const ToolRun refused = run (command + " --labels " + folder_ (labels));
-    EXPECT_GT (refused.status, 0) << labels;
-    EXPECT_EQ (refused.errorLines(), 1) << refused.err;
-    EXPECT_THAT (refused.err, HasSubstr (folder_ ("out/labels_0.png")));
-    EXPECT_THAT (refused.err, HasSubstr (folder_ (labels)));
+    expectRefusal (run (command + " --labels " + folder_ (labels)),
+                   labels,
+                   {folder_ ("out/labels_0.png"), folder_ (labels)});
   }
   EXPECT_EQ (contentOf (folder_ ("out")), before);
 }
@@ -256,10 +252,9 @@ TEST_F (SceneFlowWindow, RefusesToReplaceWhatIsNotItsOwn)
   writeRecording (2);
   std::filesystem::create_directory (folder_ ("out"));
   writeFile (folder_ ("out/overview_0.png"), "mine");
-  const ToolRun refused = run (" " + folder_ ("case") + " --output " + folder_ ("out"));
-  EXPECT_GT (refused.status, 0);
-  EXPECT_EQ (refused.errorLines(), 1) << refused.err;
-  EXPECT_THAT (refused.err, HasSubstr ("out/overview_0.png"));
+  expectRefusal (run (" " + folder_ ("case") + " --output " + folder_ ("out")),
+                 "case",
+                 {"out/overview_0.png"});
   EXPECT_EQ (filesIn (folder_ ("out")), 1U) << "nothing is written";
   EXPECT_EQ (readFile (folder_ ("out/overview_0.png")), "mine");
 }
@@ -291,7 +286,7 @@ TEST_F (SceneFlowWindow, KnowsAStaticBackground)
            folder_ ("out"));
   ASSERT_EQ (done.status, 0) << done.err;
   EXPECT_NEAR (boxFlow ("flow_0_2.flo"), 2 * SmallScene::kBoxShift, 0.3)
-      << "its points object";
+      << "its points contradict it";
 }
 
 TEST_F (SceneFlowWindow, ReferenceInTheMiddle)
@@ -309,10 +304,8 @@ TEST_F (SceneFlowWindow, RefusesInOneLine)
 {
   writeRecording (3);
   const auto refused = [&] (const std::string& arguments, const std::string& words) {
-    const ToolRun done = run (arguments + " --output " + folder_ ("out"));
-    EXPECT_GT (done.status, 0) << arguments;
-    EXPECT_EQ (done.errorLines(), 1) << done.err;
-    EXPECT_THAT (done.err, HasSubstr (words));
+    expectRefusal (
+        run (arguments + " --output " + folder_ ("out")), arguments, {words});
   };
   const std::string folder = " " + folder_ ("case");
   refused (folder + " --window 1", "--window");

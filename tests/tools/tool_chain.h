@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "support/run_tool.h"
+#include "support/expect_refusal.h"
 #include <gmock/gmock.h>
 
 #include <string>
@@ -38,11 +38,7 @@ protected:
                  const std::string& arguments,
                  const std::vector<std::string>& words) const
   {
-    const ToolRun refused = run (tool, arguments);
-    EXPECT_GT (refused.status, 0) << tool << " " << arguments;
-    EXPECT_EQ (refused.errorLines(), 1) << refused.err;
-    for (const std::string& word : words)
-      EXPECT_THAT (refused.err, ::testing::HasSubstr (word));
+    testing::expectRefusal (run (tool, arguments), tool + " " + arguments, words);
   }
   void
   synthesize (const std::string& name, int frames, const std::string& more = {}) const

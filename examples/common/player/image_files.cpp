@@ -30,7 +30,7 @@ namespace fs = std::filesystem;
 constexpr double kSaturated = 65535.0;  // in a 16-bit file: no measurement
 constexpr double kMillimetres = 1000.0; // per metre, the grabber's default
 
-/** Those whose names hold a word, of extensions that the grabber knows. */
+/** Those whose names hold a word, of extensions that the grabber reads. */
 std::vector<std::string>
 filesOf (const std::string& folder,
          const std::string& word,
@@ -153,7 +153,7 @@ private:
   mutable std::mutex mutex_; ///< of the grabber
 };
 
-/** What the grabber does not know of images. */
+/** What the grabber does not tell of images. */
 struct Sensor {
   PinholeCamera camera;
   double depth_scale; ///< units per metre

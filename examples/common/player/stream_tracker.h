@@ -12,7 +12,7 @@
 
 namespace pcl_msf::tool {
 
-/** \brief What the tracker knows of one frame. */
+/** \brief What the tracker found of one frame. */
 struct StreamResult {
   int index{0};          ///< place in the recording
   int reference{0};      ///< of the frame whose points are followed

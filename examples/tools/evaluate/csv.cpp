@@ -149,7 +149,7 @@ parseRow (const std::string& line)
 
 namespace {
 
-/** Reads the lines of a file one after the other and knows where it is. */
+/** Reads the lines of a file one after the other and tells where it is. */
 class LineReader {
 public:
   explicit LineReader (const std::string& path) : path_ (path)

@@ -106,7 +106,7 @@ nameOf (const RenderOptions& options, int frame)
   return options.input + ": frame " + std::to_string (frame);
 }
 
-/** A frame that is to be registered, and a line about what is doubtful in it. */
+/** A frame that is to be registered, and a line about what is uncertain in it. */
 io::RgbdImages
 readFrame (const io::RgbdSequence& frames, const RenderOptions& options, int frame)
 {

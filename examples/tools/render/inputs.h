@@ -20,7 +20,7 @@ struct RenderInputs {
 };
 
 /** \brief Reads a result folder, or estimates the scene flow of a folder with frames;
- * what is doubtful there becomes a line on stderr.
+ * what is uncertain there becomes a line on stderr.
  * \throws IoError, InvalidInput, UsageError, Interrupted */
 RenderInputs
 loadRenderInputs (const RenderOptions& options);

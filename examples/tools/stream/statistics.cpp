@@ -3,6 +3,7 @@
 #include "stream/statistics.h"
 
 #include "core/base/number_text.h"
+#include "core/base/order_statistics.h"
 #include "io/base/json.h"
 
 #include <algorithm>
@@ -41,10 +42,7 @@ percentile (std::vector<double> values, double share)
   if (values.empty())
     return 0.0;
   const double rank = std::ceil (share * static_cast<double> (values.size()));
-  const auto place =
-      values.begin() + static_cast<std::ptrdiff_t> (std::max (rank, 1.0)) - 1;
-  std::nth_element (values.begin(), place, values.end());
-  return *place;
+  return nthSmallest (values, static_cast<std::size_t> (std::max (rank, 1.0)) - 1);
 }
 
 void

@@ -11,7 +11,7 @@
 
 namespace pcl_msf::io {
 
-/** \brief Reads a colour or grey image of any format that OpenCV knows.
+/** \brief Reads a colour or grey image of any format that OpenCV reads.
  *
  * Alpha is dropped, 16 bit become 8; a camera's orientation tag is ignored, because the
  * depth image is registered to the pixels as they are stored.

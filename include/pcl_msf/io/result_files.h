@@ -74,7 +74,7 @@ setBodies (const cv::Mat& groups, SceneFlow& scene_flow)
 PCL_MSF_EXPORT cv::Mat
 visibilityMask (const cv::Mat& visibility);
 
-/** \brief Times of a run that the result's Report does not know, seconds. */
+/** \brief Times of a run that the result's Report does not hold, seconds. */
 struct RunSeconds {
   double total{0.0}; ///< load to result, without writing
   double load{0.0};

@@ -8,6 +8,9 @@
 
 namespace pcl_msf {
 
+/** \brief Standard deviation of Gaussian noise by its median absolute deviation. */
+inline constexpr double kMadToSigma = 1.4826;
+
 /** \brief The value with n smaller ones before it. Changes the values' order. \param n
  * less than their number */
 template <typename Value>

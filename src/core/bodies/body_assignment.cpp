@@ -20,7 +20,7 @@ public:
   Assignment (const std::vector<PairTerms>& terms,
               const std::vector<SegmentLink>& links,
               const AssignmentTuning& tuning,
-              bool hides,
+              const AssignmentRules& rules,
               WindowState& state);
 
   int
@@ -51,7 +51,9 @@ private:
 
   const std::vector<PairTerms> pairs_;
   const AssignmentTuning& tuning_;
-  const bool hides_; ///< the largest body may hide segments
+  const bool hides_;         ///< see AssignmentRules
+  const double separation_;  ///< cost of leaving all neighbours
+  const double least_prior_; ///< cost of leaving the largest body, at the least
   WindowState& state_;
   const int segments_;
   std::vector<std::vector<int>> neighbors_;
@@ -66,11 +68,13 @@ private:
 Assignment::Assignment (const std::vector<PairTerms>& terms,
                         const std::vector<SegmentLink>& links,
                         const AssignmentTuning& tuning,
-                        bool hides,
+                        const AssignmentRules& rules,
                         WindowState& state)
 : pairs_ (fromReference (terms))
 , tuning_ (tuning)
-, hides_ (hides)
+, hides_ (rules.hides)
+, separation_ (rules.window ? tuning.window_separation : tuning.separation)
+, least_prior_ (rules.background ? tuning.most_prior : 0.0)
 , state_ (state)
 , segments_ (static_cast<int> (state.body_of.size()))
 , neighbors_ (neighborLists (links, segments_))
@@ -162,11 +166,11 @@ Assignment::score (int segment, int body, double limit)
   const double unseen =
       hides_ ? probe (segment, largest_).hidden * sample.rules().occluded_cost : 0.0;
   const double prior =
-      std::max (tuning_.least_prior,
+      std::max (least_prior_,
                 std::min (tuning_.most_prior + unseen,
                           tuning_.prior / std::max (1.0, independent)));
   const double sum = p.cost / std::max (p.weight, 1e-12) + hidden +
-                     tuning_.separation * share + (body == largest_ ? 0.0 : prior);
+                     separation_ * share + (body == largest_ ? 0.0 : prior);
   return sum >= limit
              ? sum
              : sum + occupiedShare (segment, body) * sample.rules().conflict_cost;
@@ -240,11 +244,11 @@ int
 reassignBodies (const std::vector<PairTerms>& terms,
                 const std::vector<SegmentLink>& links,
                 const AssignmentTuning& tuning,
+                const AssignmentRules& rules,
                 int threads,
-                bool hides,
                 WindowState& state)
 {
-  Assignment assignment (terms, links, tuning, hides, state);
+  Assignment assignment (terms, links, tuning, rules, state);
   int total = 0;
   for (int i = 0; i < tuning.rounds; ++i) {
     const int changes = assignment.round (threads);

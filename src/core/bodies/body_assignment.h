@@ -10,6 +10,16 @@
 
 namespace pcl_msf {
 
+/** \brief What is assumed of the scene when segments change bodies. */
+struct AssignmentRules {
+  bool window{false};     ///< more than two frames: leaving all neighbours costs less
+  bool background{false}; ///< the largest body stands still: leaving it always costs as
+                          ///< much as it can
+  bool hides{false};      ///< the largest body may hide segments: that needs no
+                          ///< neighbour that is seen and is no evidence against it. Not
+                          ///< where motions come from earlier frames, which saw them
+};
+
 /** \brief Assigns segments to the body whose motion fits them best: what corrects
  * segments that were lost, hidden or too small.
  *
@@ -21,16 +31,13 @@ namespace pcl_msf {
  * as a conflict unless a neighbour that is seen moves likewise. Where most of a
  * segment's points would land on the place of a larger body, up to a conflict is added
  * (LandingMap). In a window only the pairs from the reference count: the points of the
- * others are where the present motion put them.
- * \param hides the largest body may hide segments: that needs no neighbour that is seen
- * and is no evidence against it. Not where motions come from frames before, which would
- * have told. \return how many changed */
+ * others are where the present motion put them. \return how many changed */
 int
 reassignBodies (const std::vector<PairTerms>& terms,
                 const std::vector<SegmentLink>& links,
                 const AssignmentTuning& tuning,
+                const AssignmentRules& rules,
                 int threads,
-                bool hides,
                 WindowState& state);
 
 } // namespace pcl_msf

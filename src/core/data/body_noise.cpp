@@ -14,8 +14,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr double kMadToSigma = 1.4826;
-
 /** Sizes of a body's residuals, in standard deviations of the noise model. */
 struct Residuals {
   std::vector<float> brightness;

@@ -59,8 +59,9 @@ public:
    */
   void
   add (const MotionState& state, int most_rows, int threads);
+  /** \param least points of a body's part of a square */
   void
-  collect (Ratios& brightness, Ratios& icp) const;
+  collect (double least, Ratios& brightness, Ratios& icp) const;
 
 private:
   void
@@ -160,10 +161,10 @@ TileSums::add (int body, int point, const PointResiduals& residuals)
 }
 
 void
-TileSums::collect (Ratios& brightness, Ratios& icp) const
+TileSums::collect (double least, Ratios& brightness, Ratios& icp) const
 {
   for (const Tile& tile : tiles_) {
-    if (4 * tile.points < side_ * side_)
+    if (tile.points < least)
       continue;
     if (tile.icp_weight > 0.0)
       icp.emplace_back (tile.icp * tile.icp / tile.icp_weight, tile.icp_weight);
@@ -186,9 +187,10 @@ measureCorrelationAreas (const std::vector<PairTerms>& terms,
   Ratios brightness;
   Ratios icp;
   for (const PairTerms& pair : fromReference (terms)) {
-    TileSums sums (*pair.all, std::max (tuning.least_tile, tuning.tile >> level));
+    const int side = std::max (tuning.least_tile, tuning.tile >> level);
+    TileSums sums (*pair.all, side);
     sums.add (state.ofPair (pair.pair), tuning.most_rows, threads);
-    sums.collect (brightness, icp);
+    sums.collect (tuning.least_filled * side * side, brightness, icp);
   }
   const double pixels = 1 << (2 * level); // of level 0 in one of the level
   const auto area = [&] (Ratios& ratios, double median, double otherwise) {

@@ -117,7 +117,7 @@ WindowLevel::WindowLevel (const WindowScene& scene,
           *points_.textures[pair.to],
           makeRules (energy, pixels, scene.tuning.data.missing),
           scene.threads);
-      // The finest level knows better: there the energy is the method's alone.
+      // The finest level goes without: there the energy is the method's alone.
       if (scene.flow)
         made->setFlow (*scene.flow,
                        1.0 / residualScale (energy, pixels),

@@ -8,18 +8,12 @@
 
 namespace pcl_msf {
 
-namespace {
-
-constexpr double kSettled = 0.01; // relative change of the last solve: none
-
-} // namespace
-
 bool
-SolveOutcome::settled() const
+SolveOutcome::settled (double share) const
 {
   const double change = initial.total() - final.total();
   return iterations > 0 && !failed &&
-         (converged || std::abs (change) < kSettled * initial.total());
+         (converged || std::abs (change) < share * initial.total());
 }
 
 SolveOutcome

@@ -16,9 +16,10 @@ struct SolveOutcome {
   bool converged{false};
   bool failed{false};
 
-  /** \brief Ended well: by Ceres' criteria, or with next to no change. */
+  /** \brief Ended well: by Ceres' criteria, or with next to no change.
+   * \param share of the cost that counts as none */
   bool
-  settled () const;
+  settled (double share) const;
 };
 
 /** \brief Minimizes the energy over a state's poses and weights (section 3.2), from

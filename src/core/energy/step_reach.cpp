@@ -19,14 +19,6 @@ constexpr int kTries = 4;           // Newton steps towards the damping
 constexpr double kNear = 1.05;      // of the reach: near enough
 constexpr double kThickness = 0.01; // of a body's squared extent, where it has none
 
-Eigen::Matrix3d
-crossMatrix (const Eigen::Vector3d& v)
-{
-  Eigen::Matrix3d m;
-  m << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0;
-  return m;
-}
-
 } // namespace
 
 StepReach::StepReach (std::vector<BodyShape> shapes,
@@ -52,7 +44,7 @@ StepReach::squaredMotion (int body, const RigidPose& pose) const
   const double extent = moment.trace();
   const Eigen::Matrix3d turn =
       leftJacobian ({pose.parameters[0], pose.parameters[1], pose.parameters[2]});
-  const Eigen::Matrix3d carry = -crossMatrix (arm) * turn;
+  const Eigen::Matrix3d carry = -skew (arm) * turn;
   const Eigen::Matrix3d about = (extent + kThickness * (extent + z * z * 1e-6)) * one;
   Matrix6 m;
   m.topLeftCorner<3, 3>() =

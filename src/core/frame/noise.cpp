@@ -12,7 +12,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr double kMadToSigma = 1.4826;
 constexpr int kStride = 2; // every second row and column is sample enough
 
 } // namespace

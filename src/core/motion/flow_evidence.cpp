@@ -56,8 +56,8 @@ FlowEvidence::cost (int segment,
     const Eigen::Vector2d r =
         whitening *
         Eigen::Vector2d (x * p.x() + camera_.cx - s.u, y * p.y() + camera_.cy - s.v);
-    const double trust = cap2 / (cap2 + r.squaredNorm());
-    sum += 0.5 * trust * r.squaredNorm();
+    const double robust = cap2 / (cap2 + r.squaredNorm());
+    sum += 0.5 * robust * r.squaredNorm();
     if (!information)
       continue;
     Projection by_point;
@@ -65,7 +65,7 @@ FlowEvidence::cost (int segment,
     by_point = (whitening * by_point).eval();
     Eigen::Matrix<double, 2, 6> j;
     j << -by_point * skew (turned) * left, by_point;
-    const double scale = weight * trust * trust / count;
+    const double scale = weight * robust * robust / count;
     *information += scale * j.transpose() * j;
     *gradient += scale * j.transpose() * r;
   }

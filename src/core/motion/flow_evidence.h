@@ -19,7 +19,7 @@ struct FlowMatch {
 /** \brief What optical flow says about the segments' poses. It searched the whole
  * neighbourhood of each place, which steps of a solver from some start do not, but it
  * is less precise and may be wrong: so its cost levels off far away (Geman-McClure),
- * and places without texture know little. Immutable; thread-safe. */
+ * and places without texture tell little. Immutable; thread-safe. */
 class FlowEvidence {
 public:
   /** \param matches by segment: those of segment k are [begin[k], begin[k + 1])

@@ -66,13 +66,14 @@ public:
   void
   forEachError (const Visit& visit)
   {
+    const float share = options_.tuning.depth_share;
     forEachBlock ([&] (int first, int n, const Block& k) {
       float errors[kBlock];
 #pragma omp simd
       for (int i = 0; i < n; ++i) {
         const float depth = k.w[i] > 0.0f ? k.rw[i] : 0.0f;
         errors[i] =
-            std::sqrt (k.ru[i] * k.ru[i] + k.rv[i] * k.rv[i] + 0.05f * depth * depth);
+            std::sqrt (k.ru[i] * k.ru[i] + k.rv[i] * k.rv[i] + share * depth * depth);
       }
       for (int i = 0; i < n; ++i)
         visit (first + i, errors[i]);

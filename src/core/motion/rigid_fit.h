@@ -17,7 +17,7 @@ struct FlowSample {
   float inverse_depth; ///< of the current frame at the target; 0 = unknown
 };
 
-/** \brief What a robust rigid fit needs to know. */
+/** \brief Parameters of a robust rigid fit. */
 struct RigidFitOptions {
   PinholeCamera camera;       ///< of the current frame
   double inverse_depth_sigma; ///< absolute part, 1 / metres

@@ -48,7 +48,7 @@ CloudFlowEstimator::estimate (const std::vector<Eigen::Vector3f>& source,
   const PointClouds clouds =
       preparePointClouds (source, target, tuning, threads, given.of);
   const PriorKnowledge prior =
-      priorKnowledge (constraints_, clouds, given, source, target);
+      priorKnowledge (constraints_, clouds, given, source, target, tuning.points.match);
   const double segment_seconds = secondsSince (begin);
   PointSolve solve (clouds, prior, clouds.scaled (start), tuning, threads, progress);
   solve.run();

@@ -13,8 +13,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kFewest = 12; // samples that tell how a segment moves
-
 int
 placeOf (const std::vector<int>& ascending, int label)
 {
@@ -70,7 +68,7 @@ numberSegments (const std::vector<int>& labels,
 }
 
 std::vector<int>
-sampleEach (const std::vector<int>& samples, const std::vector<int>& label)
+sampleEach (const std::vector<int>& samples, const std::vector<int>& label, int least)
 {
   if (label.empty())
     return samples;
@@ -83,8 +81,8 @@ sampleEach (const std::vector<int>& samples, const std::vector<int>& label)
     ++sampled[label[i]];
   std::vector<int> more;
   for (int k = 0; k < count; ++k) {
-    const std::size_t step = std::max<std::size_t> (1, points[k].size() / kFewest);
-    for (std::size_t i = 0; i < points[k].size() && sampled[k] < kFewest; i += step)
+    const std::size_t step = std::max<std::size_t> (1, points[k].size() / least);
+    for (std::size_t i = 0; i < points[k].size() && sampled[k] < least; i += step)
       more.push_back (points[k][i]);
   }
   std::sort (more.begin(), more.end());

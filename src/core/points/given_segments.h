@@ -30,10 +30,11 @@ numberSegments (const std::vector<int>& labels,
 std::vector<int>
 closeGaps (std::vector<int>& labels);
 
-/** \brief The samples with a few more of segments that have hardly any.
- * \param samples indices of points, ascending \param label per point */
+/** \brief The samples with more of segments that have few.
+ * \param samples indices of points, ascending \param label per point
+ * \param least samples of a segment, or all of its points */
 std::vector<int>
-sampleEach (const std::vector<int>& samples, const std::vector<int>& label);
+sampleEach (const std::vector<int>& samples, const std::vector<int>& label, int least);
 
 /** \brief Per given segment the one of the working cloud; one that has no working point
  * goes with that of the nearest. \param source as given */

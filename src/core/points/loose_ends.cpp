@@ -11,11 +11,6 @@ namespace pcl_msf {
 
 namespace {
 
-/** Cosine between normals of sides that face away from each other: more than a right
- * angle by the normals' own error. Walls that a joint opens meet the moved surface at
- * right angles. */
-constexpr float kAway = -0.15f;
-
 /** Per point: is a border within a distance along the surface? */
 std::vector<char>
 nearBorders (const Surface& surface, double reach)
@@ -73,6 +68,7 @@ std::vector<char>
 coveredPlaces (const Surface& surface,
                const MovedPoints& moved,
                double most,
+               float facing,
                int threads)
 {
   const PointTree tree (moved.points);
@@ -80,7 +76,7 @@ coveredPlaces (const Surface& surface,
   parallelFor (threads, surface.size(), 128, [&] (int i) {
     const FoundPoint found = tree.nearest (surface.points[i]);
     covered[i] = found.index >= 0 && found.squared_distance < most * most &&
-                 surface.normals[i].dot (moved.normals[found.index]) > kAway;
+                 surface.normals[i].dot (moved.normals[found.index]) > facing;
   });
   return covered;
 }

@@ -10,11 +10,12 @@
 namespace pcl_msf {
 
 /** \brief Per point of a surface: is the nearest moved point within the distance, and
- * does it not face away? */
+ * does it not face away? \param facing least cosine between their normals */
 std::vector<char>
 coveredPlaces (const Surface& surface,
                const MovedPoints& moved,
                double most,
+               float facing,
                int threads);
 
 /** \brief The largest piece of the target's surface, as a share of all, that the moved

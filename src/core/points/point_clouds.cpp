@@ -108,8 +108,9 @@ makeWorkingCloud (const std::vector<Eigen::Vector3f>& points,
     for (const int i : cloud.given)
       cloud.segment.push_back (segments[i]);
     closeGaps (cloud.segment);
-    bridgeSegments (cloud.surface, cloud.segment, threads);
-    cloud.samples = sampleEach (cloud.samples, cloud.segment);
+    bridgeSegments (cloud.surface, cloud.segment, tuning.surface, threads);
+    cloud.samples =
+        sampleEach (cloud.samples, cloud.segment, tuning.points.clouds.least_samples);
   }
   cloud.thin = thinSurface (cloud.surface, cloud.samples, tuning.surface, threads);
   return cloud;

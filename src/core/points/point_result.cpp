@@ -114,11 +114,11 @@ judge (const PointClouds& clouds,
   std::vector<Eigen::Vector3f> samples;
   for (const int i : clouds.source.samples)
     samples.push_back (moved.points[i]);
-  flow.loose_target =
-      largestLooseEnd (clouds,
-                       samples,
-                       coveredPlaces (clouds.target.thin, moved, limit, threads),
-                       tuning.border);
+  flow.loose_target = largestLooseEnd (
+      clouds,
+      samples,
+      coveredPlaces (clouds.target.thin, moved, limit, tuning.facing, threads),
+      tuning.border);
   flow.gap = meanGap (solve.segments(), solve.poses());
   std::vector<float> confidence = target.distances (moved, rules, limit, threads);
   const std::vector<float> stretch = stretchOf (surface, moved.points, threads);
@@ -128,7 +128,7 @@ judge (const PointClouds& clouds,
   return confidence;
 }
 
-/** Every point goes as the nearest working point; that knows its part's pose or, where
+/** Every point goes as the nearest working point; that has its part's pose or, where
  * motions blend, its own shift. Those of given segments go with their part. */
 void
 carryAll (const PointClouds& clouds,

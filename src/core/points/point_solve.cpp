@@ -177,7 +177,7 @@ PointSolve::descend (int first, int last)
     enter (c);
     match (tuning_.stages[c], c == finest ? fine_ : coarse_);
     if (c == tuning_.limbs.cut)
-      promised_ = explained();
+      most_explained_ = explained();
   }
 }
 
@@ -200,7 +200,7 @@ PointSolve::chooseStart()
     enter (0);
     followPairs ({});
     descend (0, tuning_.limbs.cut);
-    return promised_;
+    return most_explained_;
   };
   const double reached = descendFrom (start);
   if (progress_.stopped())
@@ -208,7 +208,7 @@ PointSolve::chooseStart()
   const std::vector<RigidPose> kept = poses_;
   if (descendFrom (common) > reached)
     return;
-  promised_ = reached;
+  most_explained_ = reached;
   poses_ = kept;
   cut_ = tuning_.limbs.cut;
   enter (cut_);

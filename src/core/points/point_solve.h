@@ -89,7 +89,7 @@ private:
   bool
   startAnew (const std::vector<PointPair>& pairs);
   double
-  disputed (const std::vector<PointPair>& pairs) const;
+  conflicting (const std::vector<PointPair>& pairs) const;
   bool
   allCovered ();
   bool
@@ -109,7 +109,7 @@ private:
   PointSamples samples_;
   PointSamples known_;           ///< points of known pairs
   std::vector<RigidPose> poses_; ///< per segment of the present cut
-  double promised_{0.0}; ///< the most that was explained where fresh starts begin
+  double most_explained_{0.0};   ///< where fresh starts begin
   MatchTarget coarse_;
   MatchTarget fine_;
 };

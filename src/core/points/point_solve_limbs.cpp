@@ -88,14 +88,14 @@ PointSolve::startAnew (const std::vector<PointPair>& pairs)
   stage.from = std::max (stage.from, tuning_.limbs.match_from);
   match (stage, coarse_, pairs);
   const double now = explained();
-  const bool hopeful = now >= (1.0 - tuning_.limbs.hopeless) * promised_;
-  promised_ = std::max (promised_, now);
-  return hopeful;
+  const bool may_gain = now >= (1.0 - tuning_.limbs.early_end) * most_explained_;
+  most_explained_ = std::max (most_explained_, now);
+  return may_gain;
 }
 
 /** Share of the pairs that lie elsewhere. */
 double
-PointSolve::disputed (const std::vector<PointPair>& pairs) const
+PointSolve::conflicting (const std::vector<PointPair>& pairs) const
 {
   const MovedPoints moved = movePoints (samples_, poses_, threads_);
   double all = 0.0;
@@ -124,7 +124,7 @@ PointSolve::allCovered()
       meanGap (segments(), poses_) > tuning_.result.gap)
     return false;
   const std::vector<char> places =
-      coveredPlaces (clouds_.target.thin, moved, near, threads_);
+      coveredPlaces (clouds_.target.thin, moved, near, tuning_.result.facing, threads_);
   return largestLooseEnd (clouds_, moved.points, places, tuning_.result.border) <
          tuning_.result.loose;
 }
@@ -137,9 +137,9 @@ PointSolve::tryAgain (const std::vector<PointPair>& pairs)
   const std::vector<RigidPose> before = poses_;
   const double reached = explained();
   double now = 0.0;
-  const bool hopeful = startAnew (pairs);
+  const bool may_gain = startAnew (pairs);
   enter (last);
-  if (hopeful) {
+  if (may_gain) {
     match (tuning_.stages[last], fine_);
     now = explained();
   }
@@ -167,7 +167,7 @@ PointSolve::seekLimbs()
     if (covered && failures > 0)
       break;
     const std::vector<PointPair> pairs = isometricPairs (kinds[kind]);
-    if (covered && disputed (pairs) < limbs.disputed)
+    if (covered && conflicting (pairs) < limbs.conflicting)
       break;
     if (tryAgain (pairs)) {
       failures = 0;

@@ -30,8 +30,8 @@ requireIndex (int index, std::size_t size, const char* cloud)
  * in its own segment if segments are given. */
 class Places {
 public:
-  explicit Places (const WorkingCloud& cloud)
-  : cloud_ (cloud), tree_ (cloud.surface.points)
+  Places (const WorkingCloud& cloud, float one_side)
+  : cloud_ (cloud), one_side_ (one_side), tree_ (cloud.surface.points)
   {}
 
   void
@@ -47,7 +47,7 @@ public:
       const bool apart =
           segment >= 0
               ? cloud_.segment[i] != segment
-              : surface.normals[i].dot (surface.normals[known.place]) < kFacing;
+              : surface.normals[i].dot (surface.normals[known.place]) < one_side_;
       const float d =
           (surface.points[i] - known.point).squaredNorm() + (apart ? kFar : 0.0f);
       if (d < least) {
@@ -58,8 +58,7 @@ public:
   }
 
 private:
-  static constexpr float kFacing = 0.3f; // cosine between normals of one side
-  static constexpr float kFar = 10.0f;   // squared sizes: farther than any point is
+  static constexpr float kFar = 10.0f; // squared sizes: farther than any point is
 
   int
   nearestOf (int segment, const Eigen::Vector3f& point) const
@@ -77,6 +76,7 @@ private:
   }
 
   const WorkingCloud& cloud_;
+  const float one_side_; ///< cosine between normals of one side
   PointTree tree_;
 };
 
@@ -140,7 +140,8 @@ priorKnowledge (const CloudConstraints& constraints,
                 const PointClouds& clouds,
                 const GivenSegments& segments,
                 const std::vector<Eigen::Vector3f>& source,
-                const std::vector<Eigen::Vector3f>& target)
+                const std::vector<Eigen::Vector3f>& target,
+                const PointMatchTuning& tuning)
 {
   PriorKnowledge prior;
   if (constraints.empty())
@@ -155,7 +156,7 @@ priorKnowledge (const CloudConstraints& constraints,
       prior.weights.push_back (weights[i]);
   const std::vector<int> working = workingSegments (clouds, segments, source);
   addSegments (constraints, clouds, segments, prior);
-  const Places places (clouds.source);
+  const Places places (clouds.source, tuning.one_side);
   for (const KnownPair& pair : constraints.pairs) {
     requireIndex (pair.source, source.size(), "source");
     requireIndex (pair.target, target.size(), "target");

@@ -45,7 +45,8 @@ priorKnowledge (const CloudConstraints& constraints,
                 const PointClouds& clouds,
                 const GivenSegments& segments,
                 const std::vector<Eigen::Vector3f>& source,
-                const std::vector<Eigen::Vector3f>& target);
+                const std::vector<Eigen::Vector3f>& target,
+                const PointMatchTuning& tuning);
 
 /** \brief The rigid motion that takes known points from where they are to where they
  * are known to go; only a shift when they lie on a line.

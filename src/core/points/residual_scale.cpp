@@ -10,11 +10,13 @@
 namespace pcl_msf {
 
 double
-deviationOf (const MovedPoints& moved, const std::vector<PointPull>& pulls)
+deviationOf (const MovedPoints& moved,
+             const std::vector<PointPull>& pulls,
+             double least)
 {
   std::vector<double> residuals;
   for (std::size_t i = 0; i < pulls.size(); ++i) {
-    if (!(pulls[i].weight > 0.1))
+    if (!(pulls[i].weight > least))
       continue;
     const Eigen::Vector3d x = moved.points[i].cast<double>();
     const double cost =
@@ -23,7 +25,7 @@ deviationOf (const MovedPoints& moved, const std::vector<PointPull>& pulls)
   }
   if (residuals.empty())
     return 0.0;
-  return 1.4826 * std::sqrt (median (residuals));
+  return kMadToSigma * std::sqrt (median (residuals));
 }
 
 } // namespace pcl_msf

@@ -9,8 +9,10 @@
 namespace pcl_msf {
 
 /** \brief Robust standard deviation of what is left of the pulls at moved points, by
- * the median; 0 when nothing pulls. */
+ * the median; 0 when nothing pulls. \param least weight of a pull that counts */
 double
-deviationOf (const MovedPoints& moved, const std::vector<PointPull>& pulls);
+deviationOf (const MovedPoints& moved,
+             const std::vector<PointPull>& pulls,
+             double least);
 
 } // namespace pcl_msf

@@ -43,8 +43,9 @@ public:
     MovedPoints moved = movePoints (all_, poses_, threads_);
     std::vector<PointPull> pulls =
         target_.pulls (moved, fineRules (tuning_.reach * spacing_, tuning_), threads_);
-    variance_ =
-        std::pow (std::max (deviationOf (moved, pulls), tuning_.floor * spacing_), 2);
+    variance_ = std::pow (std::max (deviationOf (moved, pulls, tuning_.least_weight),
+                                    tuning_.floor * spacing_),
+                          2);
     if (merge || segments_.given) {
       part_poses_ = poses_;
       if (merge)

@@ -16,7 +16,6 @@ namespace pcl_msf {
 namespace {
 
 constexpr double kFreedom = 1e-9; // share of the largest eigenvalue
-constexpr double kSmaller = 1.5;  // of a tile's side to the next one
 
 /** A segment's share in its body's score, and where it is. */
 struct Score {
@@ -113,8 +112,9 @@ statisticsOf (const std::vector<Score>& scores,
   mean /= std::max (1.0, points);
   const Matrix6 factor = inverseFactor (information);
   TileStatistics result = statisticsOf (scores, mean, factor, side);
-  while (result.tiles < tuning.enough_tiles && side / kSmaller >= tuning.least_tile) {
-    side /= kSmaller;
+  while (result.tiles < tuning.enough_tiles &&
+         side / tuning.smaller >= tuning.least_tile) {
+    side /= tuning.smaller;
     result = statisticsOf (scores, mean, factor, side);
   }
   if (2 * result.tiles < tuning.enough_tiles) // too few to tell

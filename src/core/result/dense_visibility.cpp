@@ -16,9 +16,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr float kMadToSigma = 1.4826f;
-constexpr std::size_t kMostSamples = 20000; // that a median is taken of
-
 /** Where a moved point lands and how it compares with what the frame shows there. */
 struct Landing {
   bool inside{false};
@@ -100,11 +97,14 @@ private:
 /** What the z-test's tolerances are too small by: noise that neighbouring pixels share
  * is in the residuals only, not in the frames' own estimates. */
 float
-widening (const Landings& landings, const SegmentPixels& pixels, float most)
+widening (const Landings& landings,
+          const SegmentPixels& pixels,
+          const VisibilityTuning& tuning)
 {
+  const float most = tuning.most_widening;
   std::vector<float> sizes;
   const std::size_t count = pixels.pixel.size();
-  const std::size_t step = 1 + count / kMostSamples;
+  const std::size_t step = 1 + count / tuning.samples;
   for (std::size_t i = 0; i < count; i += step) {
     const Landing landing = landings.of (static_cast<int> (i));
     const float size = std::abs (landing.shown - landing.expected);
@@ -113,8 +113,10 @@ widening (const Landings& landings, const SegmentPixels& pixels, float most)
   }
   if (sizes.empty())
     return 1.0f;
-  return std::clamp (
-      pixels.tolerance_sigmas * kMadToSigma * median (sizes), 1.0f, most);
+  return std::clamp (pixels.tolerance_sigmas * static_cast<float> (kMadToSigma) *
+                         median (sizes),
+                     1.0f,
+                     most);
 }
 
 /** Measurements in a point's surroundings, and those of them that agree with it. */
@@ -247,7 +249,7 @@ fillVisibility (const DataTerm& data,
   const kernel::Image image = data.image();
   result.visibility = cv::Mat (result.labels.size(), CV_8UC1, cv::Scalar (NoDepth));
   const Landings landings (data, tuning, result);
-  const float wider = widening (landings, p, tuning.most_widening);
+  const float wider = widening (landings, p, tuning);
   const Surroundings surroundings (image);
   parallelFor (threads, p.segments(), 8, [&] (int k) {
     SegmentMotion& segment = result.segments[k];

@@ -168,11 +168,14 @@ nearOtherMotions (const SceneFlow& scene, int radius)
   return lowest != highest;
 }
 
-/** Mean squared difference of the motion from those around a pixel: two rings of eight,
- * the outer half as likely. */
+/** Mean squared difference of the motion from those around a pixel: two rings of eight.
+ */
 Variance
-differenceAround (const SceneFlow& scene, const cv::Point& at, const int (&radii)[2])
+differenceAround (const SceneFlow& scene,
+                  const cv::Point& at,
+                  const DeviationTuning& tuning)
 {
+  const int radii[]{tuning.near_step, tuning.far_step};
   const cv::Vec2f flow = scene.flow.at<cv::Vec2f> (at);
   const cv::Vec3f displacement = scene.displacement.at<cv::Vec3f> (at);
   const cv::Rect image ({}, scene.flow.size());
@@ -187,7 +190,7 @@ differenceAround (const SceneFlow& scene, const cv::Point& at, const int (&radii
       const float d = f.dot (f);
       if (!std::isfinite (d))
         continue;
-      const float weight = ring == 0 ? 1.0f : 0.5f;
+      const float weight = ring == 0 ? 1.0f : tuning.far_weight;
       sum.flow += weight * d;
       const cv::Vec3f way = scene.displacement.at<cv::Vec3f> (other) - displacement;
       sum.displacement += weight * way.dot (way);
@@ -205,7 +208,6 @@ public:
                    const DeviationTuning& tuning,
                    SceneFlow& result)
   : tuning_ (tuning)
-  , radii_{tuning.near_step, tuning.far_step}
   , least_ (static_cast<float> (tuning.least_pixels))
   , pixel_ (static_cast<float> (tuning.least_pixels / camera.fx))
   , near_others_ (nearOtherMotions (result, tuning.far_step))
@@ -225,7 +227,7 @@ public:
     Variance step;
     if (near_others_.ptr()[pixel] != 0) {
       const int width = result_.labels.cols;
-      step = differenceAround (result_, {pixel % width, pixel / width}, radii_);
+      step = differenceAround (result_, {pixel % width, pixel / width}, tuning_);
     }
     const bool seen = result_.visibility.ptr()[pixel] == Visible;
     const auto across =
@@ -240,7 +242,6 @@ public:
 
 private:
   const DeviationTuning& tuning_;
-  const int radii_[2];
   const float least_; ///< pixels
   const float pixel_; ///< the same, metres at a metre's depth
   const cv::Mat near_others_;

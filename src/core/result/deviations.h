@@ -12,7 +12,7 @@ namespace pcl_msf {
 
 /** \brief Fills in the standard deviation of each point's flow and displacement: of its
  * segment's pose, carried to the point, of its own depth, and of what a depth step
- * nearby makes doubtful; see SceneFlow.
+ * nearby makes uncertain; see SceneFlow.
  * \param covariances of the segments' pose parameters
  * \param camera of the current frame
  * \param inverse_depth_noise standard deviation, 1 / metres

@@ -139,8 +139,8 @@ judgeMotion (const RgbdFrame& reference,
     const Overlap overlap = measureOverlap (current, flow);
     judgement = judgeOverlap (overlap, tuning);
     if (judgement.failure == StopReason::NotRun) {
-      const Likeness texture = compareTexture (
-          reference, current, intensity_noise, tuning.significant, flow);
+      const Likeness texture =
+          compareTexture (reference, current, intensity_noise, tuning, flow);
       judgement = texture.patches >= tuning.patches
                       ? judgeTexture (texture, tuning)
                       : judgeShape (overlap,

@@ -14,8 +14,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kPatch = 9;   // pixels, side
-constexpr int kEnough = 60; // of its 81 pixels
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 bool
@@ -94,9 +92,9 @@ struct PatchSums {
 
 /** NaN when too little is seen, or stands out of the noise in neither frame. */
 double
-correlation (const PatchSums& sums, double least_deviation)
+correlation (const PatchSums& sums, int enough, double least_deviation)
 {
-  if (sums.n < kEnough)
+  if (sums.n < enough)
     return kNone;
   const double before = sums.moment (sums.xx, sums.x, sums.x);
   const double after = sums.moment (sums.yy, sums.y, sums.y);
@@ -167,22 +165,24 @@ Likeness
 compareTexture (const RgbdFrame& reference,
                 const RgbdFrame& current,
                 double intensity_noise,
-                double significant,
+                const OutcomeTuning& tuning,
                 const SceneFlow& flow)
 {
+  const int side = tuning.patch;
   const cv::Mat& before = reference.levels()[0].intensity;
   const cv::Mat& after = current.levels()[0].intensity;
   if (before.empty() || after.empty())
     return {};
   std::vector<double> values;
-  for (int top = 0; top + kPatch <= before.rows; top += kPatch)
-    for (int left = 0; left + kPatch <= before.cols; left += kPatch) {
+  for (int top = 0; top + side <= before.rows; top += side)
+    for (int left = 0; left + side <= before.cols; left += side) {
       PatchSums sums;
-      for (int v = top; v < top + kPatch; ++v)
-        for (int u = left; u < left + kPatch; ++u)
+      for (int v = top; v < top + side; ++v)
+        for (int u = left; u < left + side; ++u)
           if (const float other = found (after, flow, u, v); !std::isnan (other))
             sums.add (before.at<float> (v, u), other);
-      if (const double c = correlation (sums, significant * intensity_noise);
+      if (const double c = correlation (
+              sums, tuning.patch_seen, tuning.significant * intensity_noise);
           !std::isnan (c))
         values.push_back (c);
     }

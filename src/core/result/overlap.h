@@ -44,13 +44,12 @@ struct Likeness {
  * whose motion is wrong, as long as most of the texture is followed.
  * \param flow with flow and visibility
  * \param intensity_noise standard deviation
- * \param significant such deviations that a patch must stand out by
  * \return no patches without intensity */
 Likeness
 compareTexture (const RgbdFrame& reference,
                 const RgbdFrame& current,
                 double intensity_noise,
-                double significant,
+                const OutcomeTuning& tuning,
                 const SceneFlow& flow);
 
 } // namespace pcl_msf

@@ -76,7 +76,7 @@ private:
   Ways
   waysOf (int segment) const;
   double
-  objection (int segment, const Vector6& difference) const;
+  extraCost (int segment, const Vector6& difference) const;
   Matrix6
   toLocal (int segment) const;
   Matrix6
@@ -156,14 +156,14 @@ PoseCovariance::reachOf (int k) const
 /** By how much more the segment's residuals cost with another pose, in half squared
  * deviations; robust, as they are. */
 double
-PoseCovariance::objection (int k, const Vector6& d) const
+PoseCovariance::extraCost (int k, const Vector6& d) const
 {
   const SegmentQuadratic& q = data_.of (k);
   const double cost = scale_ * (0.5 * d.dot (q.information * d) + q.gradient.dot (d));
   const SegmentPixels& p = data_.pixels();
   const int terms = (p.brightness_count > 0) + (p.icp_count > 0);
   const double most =
-      tuning_.mean_objection * scale_ * data_.totalWeight (k) / std::max (1, terms);
+      tuning_.most_extra * scale_ * data_.totalWeight (k) / std::max (1, terms);
   return cost > 0.0 ? cost / (1.0 + cost / std::max (most, 1e-9)) : 0.0;
 }
 
@@ -182,7 +182,7 @@ PoseCovariance::waysOf (int k) const
   for (const int b : others) {
     ways.differences.push_back (parametersOf (state_.poses[b]) -
                                 parametersOf (state_.poses[own]));
-    ways.probabilities.push_back (std::exp (-objection (k, ways.differences.back())));
+    ways.probabilities.push_back (std::exp (-extraCost (k, ways.differences.back())));
     sum += ways.probabilities.back();
   }
   const double least =
@@ -234,7 +234,7 @@ PoseCovariance::ofMembership (int k) const
 }
 
 /** A group's pose is as sure as its largest body's. Its segments may belong elsewhere:
- * all of them, as what they say in the mean tells, or each alone, which moves the body
+ * all of them, by their mean, or each alone, which moves the body
  * by its share in the body's information. */
 std::vector<GroupMotion>
 groupMotions (const MotionState& state,
@@ -247,15 +247,16 @@ groupMotions (const MotionState& state,
   for (std::size_t k = 0; k < result.segments.size(); ++k)
     points[state.body_of[k]] += result.segments[k].points;
   std::vector<GroupMotion> groups (std::max (0, result.groups));
-  std::vector<int> leader (groups.size(), -1); // a segment of the largest body
+  std::vector<int> in_largest (groups.size(), -1); // a segment of the largest body
   for (std::size_t k = 0; k < result.segments.size(); ++k) {
     const int g = result.segments[k].group;
     ++groups[g].segments;
-    if (leader[g] < 0 || points[state.body_of[k]] > points[state.body_of[leader[g]]])
-      leader[g] = static_cast<int> (k);
+    if (in_largest[g] < 0 ||
+        points[state.body_of[k]] > points[state.body_of[in_largest[g]]])
+      in_largest[g] = static_cast<int> (k);
   }
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    const int body = state.body_of[leader[g]];
+    const int body = state.body_of[in_largest[g]];
     groups[g].current_from_reference = state.poses[body];
     Matrix6 together = Matrix6::Zero();
     Matrix6 alone = Matrix6::Zero();

@@ -72,7 +72,7 @@ struct SegmentPixels {
 struct PointOptions {
   NoiseModel noise;
   double relative_tolerance{0.01}; ///< share of the inverse depth that the z-test
-                                   ///< forgives, besides the noise and what a pixel
+                                   ///< allows, besides the noise and what a pixel
                                    ///< makes on a slanted surface
   BrightnessChange change;         ///< applied to the reference's intensity
   int max_per_segment{0};          ///< 0 = all; else evenly spaced samples; more when

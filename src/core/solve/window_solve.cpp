@@ -244,7 +244,8 @@ WindowSolve::minimize (int iterations)
   const SolveOutcome outcome = pcl_msf::minimize (energy, solver, monitor_, state_);
   report_.initial_cost = outcome.initial;
   report_.final_cost = outcome.final;
-  report_.stop_reason = endOfSolve (outcome.settled(), outcome.failed);
+  report_.stop_reason =
+      endOfSolve (outcome.settled (scene_.tuning.solve.settled), outcome.failed);
 }
 
 /** Lost segments try their neighbours' motions. \return did enough of them jump? */
@@ -281,13 +282,16 @@ WindowSolve::merge()
 void
 WindowSolve::reassign()
 {
-  AssignmentTuning rules = scene_.tuning.bodies.assignment;
-  if (!isPair())
-    rules.separation = rules.window_separation;
-  if (multiframe_.static_background)
-    rules.least_prior = rules.most_prior;
-  const bool hides = isPair() && !follows_;
-  reassignBodies (level_->terms(), scene_.links, rules, scene_.threads, hides, state_);
+  AssignmentRules rules;
+  rules.window = !isPair();
+  rules.background = multiframe_.static_background;
+  rules.hides = isPair() && !follows_;
+  reassignBodies (level_->terms(),
+                  scene_.links,
+                  scene_.tuning.bodies.assignment,
+                  rules,
+                  scene_.threads,
+                  state_);
 }
 
 } // namespace pcl_msf

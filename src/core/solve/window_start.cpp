@@ -15,7 +15,6 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kCentroidSamples = 64;
 constexpr int kFinestLevel = 1; // of the adjacent solves; the window solves the finest
 
 /** The labels that points with depth bear, ascending. */
@@ -188,7 +187,7 @@ WindowStart::centroids() const
 {
   const FrameLevel& level = frames_[pairs_.reference()].levels()[0];
   PointOptions options;
-  options.max_per_segment = kCentroidSamples;
+  options.max_per_segment = tuning_.window.centroid_samples;
   options.tuning = tuning_.segments.pixels;
   return groupPixels (level, segments_.labels(), segments_.size(), options).centroid;
 }

@@ -302,7 +302,7 @@ PairStart::lostShare (const DataTerm& probes, const std::vector<RigidPose>& pose
 }
 
 /** Does much of the flow follow one motion? Then it has not lost the scene, even where
- * residuals are larger than the noise makes believe. */
+ * residuals are larger than the noise explains. */
 bool
 PairStart::followsFlow (const SampleTable& flow, const RigidPose& pose) const
 {

@@ -230,16 +230,17 @@ makeCleanSurface (std::vector<Eigen::Vector3f> points,
 }
 
 void
-bridgeSegments (Surface& surface, const std::vector<int>& segment, int threads)
+bridgeSegments (Surface& surface,
+                const std::vector<int>& segment,
+                const SurfaceTuning& tuning,
+                int threads)
 {
-  constexpr int kNeighbors = 30;
-  constexpr float kReach = 4.0f; // median spacings
-  const float reach = kReach * static_cast<float> (surface.median_spacing);
+  const float reach = tuning.bridge_reach * static_cast<float> (surface.median_spacing);
   const std::vector<int> piece = surface.graph.pieces();
   if (*std::max_element (piece.begin(), piece.end()) == 0)
     return;
-  const Neighbors neighbors =
-      findNeighbors (surface.points, PointTree (surface.points), kNeighbors, threads);
+  const Neighbors neighbors = findNeighbors (
+      surface.points, PointTree (surface.points), tuning.bridge_neighbors, threads);
   std::vector<std::pair<int, int>> pairs;
   for (int i = 0; i < surface.size(); ++i) {
     for (const SurfaceEdge* e = surface.graph.begin (i); e != surface.graph.end (i);

@@ -50,6 +50,9 @@ makeCleanSurface (std::vector<Eigen::Vector3f> points,
 /** \brief Connects pieces of a surface that belong to different segments and all but
  * touch, as faces do whose edge was left out. \param segment per point */
 void
-bridgeSegments (Surface& surface, const std::vector<int>& segment, int threads);
+bridgeSegments (Surface& surface,
+                const std::vector<int>& segment,
+                const SurfaceTuning& tuning,
+                int threads);
 
 } // namespace pcl_msf

@@ -38,10 +38,10 @@ localScatter (const Points& points, int i, const std::vector<FoundPoint>& neighb
   return eigen;
 }
 
-/** How doubtful it is that two normals look to the same side when their product is
+/** How uncertain it is that two normals look to the same side when their product is
  * positive: small on a plane, large over an edge or a gap. */
 float
-doubt (const Points& points, const Points& normals, int a, int b)
+ambiguity (const Points& points, const Points& normals, int a, int b)
 {
   const Eigen::Vector3f edge = (points[b] - points[a]).normalized();
   return 1.0f - std::abs (normals[a].dot (normals[b])) +
@@ -79,7 +79,7 @@ leapsOff (const Points& points, const Points& normals, int a, int b, float steep
 }
 
 /** Turns a piece's normals to one side, going from the surest neighbour to the next.
- * \param surest per point the least doubt of a step to it so far, and from where */
+ * \param surest per point the least ambiguity of a step to it so far, and from where */
 void
 turnPiece (int first,
            const Points& points,
@@ -90,7 +90,7 @@ turnPiece (int first,
            std::vector<std::pair<float, int>>& surest,
            std::vector<int>& piece)
 {
-  using Step = std::tuple<float, int, int>; // doubt, to, from
+  using Step = std::tuple<float, int, int>; // ambiguity, to, from
   std::priority_queue<Step, std::vector<Step>, std::greater<Step>> queue;
   queue.push ({0.0f, first, first});
   while (!queue.empty()) {
@@ -105,7 +105,7 @@ turnPiece (int first,
     for (const int next : lists[to]) {
       if (done[next] || leapsOff (points, normals, to, next, steep))
         continue;
-      const std::pair<float, int> step (doubt (points, normals, to, next), to);
+      const std::pair<float, int> step (ambiguity (points, normals, to, next), to);
       if (step < surest[next]) { // others would come too late
         surest[next] = step;
         queue.push ({step.first, next, to});

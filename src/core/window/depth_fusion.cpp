@@ -109,9 +109,9 @@ DepthFusion::add (const DepthSource& source,
       if (!std::isfinite (change))
         continue;
       const float model = tuning.model_share * w;
-      const float trust = sigma * sigma / (sigma * sigma + model * model);
-      sums[x][0] += trust;
-      sums[x][1] += trust * change;
+      const float weight = sigma * sigma / (sigma * sigma + model * model);
+      sums[x][0] += weight;
+      sums[x][1] += weight * change;
     }
   });
 }

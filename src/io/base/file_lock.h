@@ -30,7 +30,7 @@ public:
     return descriptor_ >= 0;
   }
 
-  /** \brief Is the lock ours? Never where the file system knows no locks. */
+  /** \brief Is the lock ours? Never where the file system has no locks. */
   bool
   isOurs () const
   {

@@ -87,7 +87,7 @@ struct PointSize {
   std::int64_t fields{0}; ///< that have a value
 };
 
-/** Of fields whose types PCL knows. */
+/** Of fields whose types PCL has. */
 PointSize
 pointSize (const InputFile& file, const PcdHeader& header)
 {

@@ -2,10 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "io/datasets/text_table.h"
 
-#include <Eigen/LU>
-
 #include "core/base/number_text.h"
 #include "io/base/input_file.h"
+#include "io/base/rotation_check.h"
 #include <pcl_msf/errors.h>
 
 #include <cmath>
@@ -83,9 +82,7 @@ TextTable::pose (std::size_t row, std::size_t column) const
                                     "matrix element " + std::to_string (i / 4 + 1) +
                                         "," + std::to_string (i % 4 + 1));
   const Eigen::Matrix3d rotation = matrix.leftCols<3>();
-  const double skewness =
-      (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).norm();
-  if (!(skewness < 1e-3) || rotation.determinant() < 0.0)
+  if (!isRotation (rotation))
     fail (
         row,
         "matrix",

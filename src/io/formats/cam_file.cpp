@@ -4,6 +4,7 @@
 
 #include "io/base/input_file.h"
 #include "io/base/output_file.h"
+#include "io/base/rotation_check.h"
 #include "io/formats/tagged_floats.h"
 #include <pcl_msf/io/float_files.h>
 
@@ -32,9 +33,7 @@ readCam (const std::string& path, RigidPose& camera_from_world)
   if (!pinhole)
     file.fail ("intrinsic matrix", "no pinhole camera; the file is damaged");
   const Eigen::Matrix3d rotation = extrinsic.leftCols<3>();
-  const double skewness =
-      (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).norm();
-  if (!extrinsic.allFinite() || !(skewness < 1e-3) || rotation.determinant() < 0.0)
+  if (!extrinsic.allFinite() || !isRotation (rotation))
     file.fail ("extrinsic matrix", "no rigid motion; the file is damaged");
   camera_from_world = RigidPose::fromMatrix (rotation, extrinsic.col (3));
   return {intrinsic (0, 0), intrinsic (1, 1), intrinsic (0, 2), intrinsic (1, 2)};

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include <Eigen/LU>
-
 #include "core/base/number_text.h"
 #include "io/base/input_file.h"
 #include "io/base/output_file.h"
+#include "io/base/rotation_check.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/text_files.h>
 
@@ -163,10 +162,8 @@ readPose (const std::string& path)
   const Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>> matrix (
       n.data());
   const Eigen::Matrix3d rotation = matrix.topLeftCorner<3, 3>();
-  const double skewness =
-      (rotation.transpose() * rotation - Eigen::Matrix3d::Identity()).norm();
   const bool last_row_ok = n[12] == 0.0 && n[13] == 0.0 && n[14] == 0.0 && n[15] == 1.0;
-  if (!(skewness < 1e-3) || rotation.determinant() < 0.0 || !last_row_ok)
+  if (!isRotation (rotation) || !last_row_ok)
     throw IoError (path + ": matrix: no rigid motion; give rotation, translation and "
                           "the last row 0 0 0 1");
   return RigidPose::fromMatrix (rotation, matrix.topRightCorner<3, 1>());

@@ -101,7 +101,7 @@ TEST_F (TuningTest, TheHashTellsEachValue)
   }
 }
 
-TEST_F (TuningTest, RefusesWhatItDoesNotKnow)
+TEST_F (TuningTest, RefusesUnknownNamesAndBadNumbers)
 {
   EXPECT_THAT (refusal ("start.luck", "1"), HasSubstr ("no tuned value 'start.luck'"));
   EXPECT_THAT (refusal ("start.lost", "1.5"), HasSubstr ("a number from 0 to 1"));

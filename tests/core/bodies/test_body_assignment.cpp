@@ -13,6 +13,14 @@ constexpr double kSeparation = 0.3;
 constexpr int kRounds = 3;
 constexpr int kStray = 19; // amid the left half
 
+AssignmentRules
+rulesOf (bool hides)
+{
+  AssignmentRules rules;
+  rules.hides = hides;
+  return rules;
+}
+
 /** Lets the segments of a pair of frames choose. */
 int
 reassignTiles (const test::TiledScene& scene,
@@ -25,8 +33,8 @@ reassignTiles (const test::TiledScene& scene,
   tuning.separation = kSeparation;
   tuning.prior = 0.0;
   tuning.rounds = kRounds;
-  const int changes =
-      reassignBodies (scene.terms (data), scene.links(), tuning, threads, true, window);
+  const int changes = reassignBodies (
+      scene.terms (data), scene.links(), tuning, rulesOf (true), threads, window);
   state = window.ofPair (0);
   return changes;
 }
@@ -96,8 +104,8 @@ TEST_F (BodyAssignment, ABodyOfFewSegmentsIsTriedByItsNeighboursAlone)
   for (const int least : {1, 5}) {
     WindowState state = one;
     tuning.least_share = least / 48.0;
-    found[least / 5] =
-        reassignBodies (scene_.terms (data_), scene_.links(), tuning, 1, true, state);
+    found[least / 5] = reassignBodies (
+        scene_.terms (data_), scene_.links(), tuning, rulesOf (true), 1, state);
   }
   EXPECT_GT (found[1], 0);
   EXPECT_GE (found[0], 2 * found[1]);
@@ -177,7 +185,7 @@ TEST_F (CoveredTile, LeavesTheImageWithTheLargestBody)
 TEST_F (CoveredTile, IsNoEvidenceAgainstTheLargestBodyThatHidesIt)
 {
   // The wall goes left and up, a tile at its left edge out of view; it fits where it
-  // is. A body that is known from frames before would have told.
+  // is. Earlier frames, which saw it, are no such case.
   constexpr int kOut = 25;
   for (const bool hides : {false, true}) {
     WindowState state (scene_.solved());
@@ -189,8 +197,12 @@ TEST_F (CoveredTile, IsNoEvidenceAgainstTheLargestBodyThatHidesIt)
     tuning.prior = 1e9;
     tuning.rounds = 1;
     tuning.least_share = 1.0; // no other tile tries its motion
-    reassignBodies (
-        scene_.terms (scene_.data()), scene_.links(), tuning, 1, hides, state);
+    reassignBodies (scene_.terms (scene_.data()),
+                    scene_.links(),
+                    tuning,
+                    rulesOf (hides),
+                    1,
+                    state);
     const bool joins = state.body_of[kOut] == state.body_of[test::kWallTile];
     EXPECT_EQ (joins, hides);
   }
@@ -207,7 +219,8 @@ TEST_F (CoveredTile, TheLargestBodyIsTheOneOfMostPointsThatAreSeen)
   AssignmentTuning tuning;
   tuning.separation = kSeparation;
   tuning.prior = 1e9;
-  reassignBodies (scene_.terms (scene_.data()), scene_.links(), tuning, 1, true, state);
+  reassignBodies (
+      scene_.terms (scene_.data()), scene_.links(), tuning, rulesOf (true), 1, state);
   ASSERT_EQ (state.bodies(), 1);
   EXPECT_EQ (state.poses[0][0].parameters, scene_.solved().poses[0].parameters);
 }

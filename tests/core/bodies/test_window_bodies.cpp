@@ -59,7 +59,7 @@ public:
   int
   reassign (bool both)
   {
-    return reassignBodies (terms (both), first_.links(), {}, 1, false, state_);
+    return reassignBodies (terms (both), first_.links(), {}, {}, 1, state_);
   }
 
   test::TiledScene first_;

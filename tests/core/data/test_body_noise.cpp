@@ -22,7 +22,8 @@ protected:
     DataTerm data = scene_.data();
     data.sweep (state, DataTerm::Pass::Linearize);
     SegmentPixels pixels = scene_.pixels();
-    rescaleBodyNoise (scene_.terms (data), WindowState (state), {}, threads, pixels);
+    rescaleBodyNoise (
+        scene_.terms (data), WindowState (state), tuning_, threads, pixels);
     return pixels;
   }
 
@@ -46,10 +47,13 @@ protected:
   }
 
   test::TiledScene scene_{test::foldedWall()};
+  BodyNoiseTuning tuning_;
 };
 
 TEST_F (BodyNoise, NoiseFreeRigidBodiesAreTrustedMore)
 {
+  tuning_.most_brightness = 3.0;
+  tuning_.most_icp = 10.0;
   const SegmentPixels before = scene_.pixels();
   const SegmentPixels after = sharpened (scene_.solved());
   for (int k = 0; k < before.segments(); ++k) {
@@ -57,24 +61,25 @@ TEST_F (BodyNoise, NoiseFreeRigidBodiesAreTrustedMore)
         factor (after.brightness_scale, before.brightness_scale, k);
     const double icp = factor (after.icp_scale, before.icp_scale, k);
     EXPECT_GT (brightness, 1.2) << k;
-    EXPECT_LE (brightness, 3.0001) << k;
+    EXPECT_LE (brightness, 1.00001 * tuning_.most_brightness) << k;
     EXPECT_GT (icp, 3.0) << k;
-    EXPECT_LE (icp, 10.0001) << k;
+    EXPECT_LE (icp, 1.00001 * tuning_.most_icp) << k;
   }
 }
 
 TEST_F (BodyNoise, FewSegmentsProveNothing)
 {
-  // Seven tiles with the true motion, but a body of their own.
+  // All but enough tiles with the true motion, but a body of their own.
+  tuning_.rigid = 8;
   MotionState state = scene_.solved();
   state.poses.push_back (state.poses[0]);
   int moved = 0;
   for (int& body : state.body_of)
-    if (body == 0 && moved < 7) {
+    if (body == 0 && moved < tuning_.rigid - 1) {
       body = 2;
       ++moved;
     }
-  ASSERT_EQ (moved, 7);
+  ASSERT_EQ (moved, tuning_.rigid - 1);
   const SegmentPixels before = scene_.pixels();
   const SegmentPixels after = sharpened (state);
   for (int k = 0; k < before.segments(); ++k) {

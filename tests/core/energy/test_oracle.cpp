@@ -7,6 +7,7 @@
 #include "support/analytic_scene.h"
 #include "support/autodiff_energy.h"
 #include "support/kept_problem.h"
+#include "support/pose_matcher.h"
 #include <ceres/solver.h>
 
 #include <string>
@@ -233,10 +234,8 @@ TEST_P (Oracle, SameOptimumFromTheSameStart)
   EXPECT_NEAR (a.final_cost / b.final_cost, 1.0, 1e-8 * loose);
   EXPECT_LT (a.final_cost, 0.6 * a.initial_cost);
   for (std::size_t k = 0; k < state_.poses[0].size(); ++k)
-    for (int i = 0; i < 6; ++i)
-      EXPECT_NEAR (state_.poses[0][k].parameters[i],
-                   other.poses[0][k].parameters[i],
-                   1e-5 * loose);
+    EXPECT_THAT (state_.poses[0][k],
+                 test::isNear (other.poses[0][k], 1e-5 * loose, 1e-5 * loose));
   joint_->relaxWeights (state_);
   for (std::size_t i = 0; i < links().size(); ++i) {
     const SegmentLink& link = links()[i];

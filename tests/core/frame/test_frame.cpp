@@ -6,7 +6,7 @@
 
 #include "core/frame/depth_pyramid.h"
 #include "core/frame/noise.h"
-#include "support/points.h"
+#include "support/slanted_plane.h"
 #include <gmock/gmock.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/rgbd_frame.h>
@@ -20,33 +20,11 @@ namespace {
 using namespace pcl_msf;
 using testing::HasSubstr;
 
-constexpr int kWidth = 96;
-constexpr int kHeight = 80;
-const PinholeCamera kCamera{100.0, 98.0, 47.0, 40.5};
-const Eigen::Vector3d kNormal = Eigen::Vector3d (0.35, -0.5, -1.0).normalized();
-
-/** Depth of the plane kNormal . p = -1.8. */
-cv::Mat
-slantedPlane ()
-{
-  return test::image (kWidth, kHeight, [] (int x, int y) {
-    return -1.8 / kNormal.dot (kCamera.backProject (x, y, 1.0));
-  });
-}
-
-cv::Mat
-constant (double value)
-{
-  return cv::Mat (kHeight, kWidth, CV_32FC1, cv::Scalar (value));
-}
-
-/** A near half on the left, a far one on the right. */
-cv::Mat
-step (double near, double far, int edge)
-{
-  return test::image (
-      kWidth, kHeight, [&] (int x, int) { return x < edge ? near : far; });
-}
+constexpr int kWidth = test::SlantedPlane::kWidth;
+constexpr int kHeight = test::SlantedPlane::kHeight;
+const test::SlantedPlane kPlane;
+const PinholeCamera kCamera = kPlane.camera;
+const Eigen::Vector3d kNormal = kPlane.normal;
 
 TEST (InverseDepth, WhatIsNoMeasurementBecomesZero)
 {
@@ -65,7 +43,7 @@ TEST (DepthPyramid, DoesNotMixTwoSurfaces)
 {
   for (const int edge : {40, 41}) {
     const RgbdFrame frame =
-        RgbdFrame::fromImages ({}, step (1.0, 3.0, edge), kCamera, {});
+        RgbdFrame::fromImages ({}, kPlane.step (1.0, 3.0, edge), kCamera, {});
     ASSERT_GE (frame.levels().size(), 2u);
     for (const FrameLevel& level : frame.levels())
       for (int y = 0; y < level.height(); ++y)
@@ -79,13 +57,13 @@ TEST (DepthPyramid, DoesNotMixTwoSurfaces)
 TEST (DepthPyramid, HolesDoNotGrow)
 {
   for (const int hole : {20, 21}) {
-    cv::Mat depth = slantedPlane();
+    cv::Mat depth = kPlane.depth();
     depth.at<float> (hole, hole) = 0.0f;
     const RgbdFrame frame = RgbdFrame::fromImages ({}, depth, kCamera, {});
     EXPECT_EQ (cv::countNonZero (frame.levels()[0].inverse_depth == 0.0f), 1);
     EXPECT_EQ (cv::countNonZero (frame.levels()[1].inverse_depth == 0.0f), 0);
   }
-  cv::Mat large = constant (2.0);
+  cv::Mat large = kPlane.constant (2.0);
   large (cv::Rect (20, 20, 9, 9)) = 0.0f;
   const cv::Mat coarse =
       RgbdFrame::fromImages ({}, large, kCamera, {}).levels()[1].inverse_depth;
@@ -94,7 +72,7 @@ TEST (DepthPyramid, HolesDoNotGrow)
 
 TEST (DepthPyramid, LevelsSeeTheSamePlane)
 {
-  const RgbdFrame frame = RgbdFrame::fromImages ({}, slantedPlane(), kCamera, {});
+  const RgbdFrame frame = RgbdFrame::fromImages ({}, kPlane.depth(), kCamera, {});
   for (std::size_t l = 0; l < frame.levels().size(); ++l) {
     const FrameLevel& level = frame.levels()[l];
     EXPECT_EQ (level.width(), (kWidth + (1 << l) - 1) >> l);
@@ -129,16 +107,16 @@ TEST (Noise, IsMeasuredWithinAFifth)
 
 TEST (Noise, CleanImagesHaveNone)
 {
-  EXPECT_LT (estimateInverseDepthNoise (inverseDepth (slantedPlane(), 0, 1000)), 1e-6);
-  EXPECT_EQ (estimateIntensityNoise (constant (0.4)), 0.0);
+  EXPECT_LT (estimateInverseDepthNoise (inverseDepth (kPlane.depth(), 0, 1000)), 1e-6);
+  EXPECT_EQ (estimateIntensityNoise (kPlane.constant (0.4)), 0.0);
 }
 
 TEST (RgbdFrame, TakesEveryKindOfColour)
 {
-  const cv::Mat depth = constant (2.0);
+  const cv::Mat depth = kPlane.constant (2.0);
   const cv::Mat gray8 (kHeight, kWidth, CV_8UC1, cv::Scalar (51));
   const cv::Mat bgr (kHeight, kWidth, CV_8UC3, cv::Scalar (51, 51, 51));
-  for (const cv::Mat& color : {gray8, bgr, constant (0.2)}) {
+  for (const cv::Mat& color : {gray8, bgr, kPlane.constant (0.2)}) {
     const RgbdFrame frame = RgbdFrame::fromImages (color, depth, kCamera);
     ASSERT_TRUE (frame.hasIntensity());
     EXPECT_NEAR (frame.levels()[0].intensity.at<float> (7, 9), 0.2f, 1e-6f);
@@ -150,7 +128,7 @@ TEST (RgbdFrame, TakesEveryKindOfColour)
 
 TEST (RgbdFrame, KeepsNothingOfTheImages)
 {
-  cv::Mat depth = constant (2.0);
+  cv::Mat depth = kPlane.constant (2.0);
   cv::Mat bgr (kHeight, kWidth, CV_8UC3, cv::Scalar (51, 51, 51));
   const RgbdFrame frame = RgbdFrame::fromImages (bgr, depth, kCamera);
   bgr.setTo (0); // filled anew for the next frame
@@ -171,7 +149,7 @@ struct BadInput {
 std::vector<BadInput>
 badInputs ()
 {
-  const cv::Mat ok = constant (2.0);
+  const cv::Mat ok = kPlane.constant (2.0);
   return {
       {"empty", {}, {}, kCamera, {}, "CV_32FC1 image in metres"},
       {"depth type", {}, cv::Mat (kHeight, kWidth, CV_16UC1), kCamera, {}, "metres"},
@@ -179,12 +157,22 @@ badInputs ()
       {"colour", cv::Mat (kHeight, kWidth, CV_8UC4), ok, kCamera, {}, "CV_8UC3"},
       {"camera", {}, ok, PinholeCamera{}, {}, "give focal lengths"},
       {"normals", {}, ok, kCamera, cv::Mat (9, 9, CV_32FC3), "CV_32FC3"},
-      {"no depth", {}, constant (0.0), kCamera, {}, "it is 0 everywhere"},
-      {"NaN depth", {}, constant (NAN), kCamera, {}, "not a number"},
-      {"behind", {}, constant (-2.0), kCamera, {}, "it is -2 to -2"},
-      {"millimetres", {}, constant (2000.0), kCamera, {}, "2000 to 2000, outside"},
+      {"no depth", {}, kPlane.constant (0.0), kCamera, {}, "it is 0 everywhere"},
+      {"NaN depth", {}, kPlane.constant (NAN), kCamera, {}, "not a number"},
+      {"behind", {}, kPlane.constant (-2.0), kCamera, {}, "it is -2 to -2"},
+      {"millimetres",
+       {},
+       kPlane.constant (2000.0),
+       kCamera,
+       {},
+       "2000 to 2000, outside"},
       {"narrow", {}, ok (cv::Rect (0, 0, 11, 30)), kCamera, {}, "is 11x30, and must"},
-      {"raw intensity", constant (130.0), ok, kCamera, {}, "normalizeIntensity"}};
+      {"raw intensity",
+       kPlane.constant (130.0),
+       ok,
+       kCamera,
+       {},
+       "normalizeIntensity"}};
 }
 
 TEST (RgbdFrame, RefusesBadInputAndNamesTheRemedy)
@@ -217,7 +205,7 @@ TEST (RgbdFrame, RefusesBadParametersAndNamesTheirRange)
   bad[5].first.max_levels = 11;
   for (const auto& [parameters, remedy] : bad) {
     try {
-      RgbdFrame::fromImages ({}, constant (2.0), kCamera, parameters);
+      RgbdFrame::fromImages ({}, kPlane.constant (2.0), kCamera, parameters);
       ADD_FAILURE() << remedy;
     }
     catch (const InvalidInput& error) {

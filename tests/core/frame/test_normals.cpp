@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "support/points.h"
+#include "support/slanted_plane.h"
 #include <pcl_msf/rgbd_frame.h>
 
 #include <cmath>
@@ -13,33 +13,11 @@ namespace {
 
 using namespace pcl_msf;
 
-constexpr int kWidth = 96;
-constexpr int kHeight = 80;
-const PinholeCamera kCamera{100.0, 98.0, 47.0, 40.5};
-const Eigen::Vector3d kNormal = Eigen::Vector3d (0.35, -0.5, -1.0).normalized();
-
-/** Depth of the plane kNormal . p = -1.8. */
-cv::Mat
-slantedPlane ()
-{
-  return test::image (kWidth, kHeight, [] (int x, int y) {
-    return -1.8 / kNormal.dot (kCamera.backProject (x, y, 1.0));
-  });
-}
-
-cv::Mat
-constant (double value)
-{
-  return cv::Mat (kHeight, kWidth, CV_32FC1, cv::Scalar (value));
-}
-
-/** A near half on the left, a far one on the right. */
-cv::Mat
-step (double near, double far, int edge)
-{
-  return test::image (
-      kWidth, kHeight, [&] (int x, int) { return x < edge ? near : far; });
-}
+constexpr int kWidth = test::SlantedPlane::kWidth;
+constexpr int kHeight = test::SlantedPlane::kHeight;
+const test::SlantedPlane kPlane;
+const PinholeCamera kCamera = kPlane.camera;
+const Eigen::Vector3d kNormal = kPlane.normal;
 
 class Normals : public testing::TestWithParam<NormalMethod> {
 protected:
@@ -54,7 +32,7 @@ protected:
 
 TEST_P (Normals, OfASlantedPlaneAreExact)
 {
-  const cv::Mat normals = frame (slantedPlane()).levels()[0].normals;
+  const cv::Mat normals = frame (kPlane.depth()).levels()[0].normals;
   const int border = GetParam() == NormalMethod::CentralDifferences ? 0 : 12;
   for (int y = border; y < kHeight - border; ++y)
     for (int x = border; x < kWidth - border; ++x) {
@@ -85,7 +63,7 @@ TEST_P (Normals, PointTowardsTheCamera)
 
 TEST_P (Normals, DoNotReachAcrossADepthEdge)
 {
-  const cv::Mat normals = frame (step (1.0, 3.0, 48)).levels()[0].normals;
+  const cv::Mat normals = frame (kPlane.step (1.0, 3.0, 48)).levels()[0].normals;
   for (int y = 0; y < kHeight; ++y)
     for (int x = 0; x < kWidth; ++x) {
       const cv::Vec3f n = normals.at<cv::Vec3f> (y, x);
@@ -96,7 +74,7 @@ TEST_P (Normals, DoNotReachAcrossADepthEdge)
 
 TEST_P (Normals, HolesHaveNone)
 {
-  cv::Mat depth = slantedPlane();
+  cv::Mat depth = kPlane.depth();
   depth (cv::Rect (30, 30, 5, 5)) = 0.0f;
   const cv::Mat normals = frame (depth).levels()[0].normals;
   EXPECT_EQ (normals.at<cv::Vec3f> (32, 32), cv::Vec3f (0, 0, 0));
@@ -114,7 +92,8 @@ TEST (Normals, OwnOnesAreMadeUnitOrNone)
 {
   cv::Mat own (kHeight, kWidth, CV_32FC3, cv::Scalar (0, 0, -2));
   own.at<cv::Vec3f> (3, 4) = {NAN, 0, -1};
-  const RgbdFrame frame = RgbdFrame::fromImages ({}, constant (2.0), kCamera, {}, own);
+  const RgbdFrame frame =
+      RgbdFrame::fromImages ({}, kPlane.constant (2.0), kCamera, {}, own);
   EXPECT_EQ (frame.levels()[0].normals.at<cv::Vec3f> (0, 0), cv::Vec3f (0, 0, -1));
   EXPECT_EQ (frame.levels()[0].normals.at<cv::Vec3f> (3, 4), cv::Vec3f (0, 0, 0));
 }
@@ -140,7 +119,7 @@ TEST (NormalMethods, NoneLeavesThemOut)
   FrameParameters parameters;
   parameters.normals = NormalMethod::Skip;
   const RgbdFrame frame =
-      RgbdFrame::fromImages ({}, slantedPlane(), kCamera, parameters);
+      RgbdFrame::fromImages ({}, kPlane.depth(), kCamera, parameters);
   for (const FrameLevel& level : frame.levels())
     EXPECT_EQ (cv::norm (level.normals), 0.0);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-// Where PCL's own machinery runs a registration that it knows by its base alone.
+// Where PCL's own machinery runs a registration through its base alone.
 #include <pcl/registration/icp.h>
 #include <pcl/registration/incremental_registration.h>
 #include <pcl/registration/meta_registration.h>

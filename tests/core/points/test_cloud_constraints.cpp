@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/box_chain.h"
+#include "support/pose_matcher.h"
 #include <gmock/gmock.h>
 #include <pcl_msf/cloud_flow_estimator.h>
 #include <pcl_msf/errors.h>
@@ -139,10 +140,8 @@ TEST_F (CloudConstraintsTest, AFixedSegmentKeepsItsGuess)
       CloudFlowEstimator (solverOf (false), constraints)
           .estimate (source.points, target.points, guess, source.box);
   for (const auto& [box, pose] : {std::make_pair (0, chain.pose (0)), {2, guess}})
-    for (int k = 0; k < 6; ++k)
-      EXPECT_NEAR (flow.parts[flow.segment_part[box]].target_from_source.parameters[k],
-                   pose.parameters[k],
-                   1e-9);
+    EXPECT_THAT (flow.parts[flow.segment_part[box]].target_from_source,
+                 test::isNear (pose, 1e-9, 1e-9));
 }
 
 /** Two like boxes far from each other, and where each one goes. */

@@ -11,6 +11,7 @@
 #include "core/points/rigid_moments.h"
 #include "core/points/seam_cost.h"
 #include "core/points/segment_start.h"
+#include "support/pose_matcher.h"
 
 #include <array>
 #include <cmath>
@@ -111,8 +112,7 @@ TEST (RigidMoments, FindThePoseThatPullsFrom)
   start.parameters[4] -= 0.1;
   Matrix6 information;
   const RigidPose found = moments.solve (start, &information);
-  for (int k = 0; k < 6; ++k)
-    EXPECT_NEAR (found.parameters[k], kPose.parameters[k], 1e-7);
+  EXPECT_THAT (found, test::isNear (kPose, 1e-7, 1e-7));
   // 1/2 x' information x is how the cost grows.
   RigidPose off = kPose;
   Vector6 x;
@@ -212,8 +212,7 @@ TEST (SegmentStart, PairsThatAreWrongDoNotTurnIt)
   for (int i = 0; i < 8; ++i)
     to.col (i) += Eigen::Vector3d (1.0, 0.5, -0.7);
   const RigidPose found = fitPairs (from, to, std::vector<double> (40, 1.0), 0.05, {});
-  for (int k = 0; k < 6; ++k)
-    EXPECT_NEAR (found.parameters[k], kPose.parameters[k], 1e-3);
+  EXPECT_THAT (found, test::isNear (kPose, 1e-3, 1e-3));
 }
 
 TEST (CloudJoints, FindTheAxisOfATurn)

@@ -44,7 +44,9 @@ protected:
   slideAt (int column, bool blend = true)
   {
     const MotionState state = wall_.truth();
-    fillPoints (wall_.data (state), wall_.camera, blend, {}, 1, scene_);
+    BlendTuning tuning;
+    tuning.reach = 0.5;
+    fillPoints (wall_.data (state), wall_.camera, blend, tuning, 1, scene_);
     return scene_.displacement.at<cv::Vec3f> (10, column)[1] / kMetres;
   }
 
@@ -55,7 +57,7 @@ protected:
 };
 
 // Both tiles hold 400 points, so that the weights fall off with a deviation of 10
-// pixels: at column 19, exp (-9.5^2 / 200) and exp (-10.5^2 / 200).
+// pixels, half a side: at column 19, exp (-9.5^2 / 200) and exp (-10.5^2 / 200).
 TEST_F (Blended, PointsBetweenSoftTilesMoveByAMean)
 {
   EXPECT_NEAR (slideAt (19), 1.0 / (1.0 + std::exp (0.1)), 1e-4);

@@ -12,7 +12,8 @@ using test::BendingWall;
 using test::ramp;
 using test::WallShift;
 
-constexpr double kSlide = 4.0; // pixels
+constexpr double kSlide = 4.0;     // pixels
+constexpr double kTogether = 0.95; // lifting weight that joins
 
 /** A wall whose right columns slide by kSlide against the left ones, over the width of
  * a tile (soft) or at once (sharp); both sides are bodies. */
@@ -40,7 +41,11 @@ public:
   {
     const double scale = 0.5 * (wall_.pixels.brightness_count + wall_.pixels.icp_count);
     SceneFlow scene;
-    fillSegments (wall_.data (state_), wall_.links, state_, scale, {}, threads, scene);
+    ResultTuning tuning;
+    tuning.groups.together = kTogether;
+    tuning.groups.small_body = 8;
+    fillSegments (
+        wall_.data (state_), wall_.links, state_, scale, tuning, threads, scene);
     return scene;
   }
 
@@ -100,9 +105,9 @@ TEST (MotionGroups, JointOfALargeBodyStaysOne)
 TEST (MotionGroups, ConnectionsThatTheOptimizationKeptJoin)
 {
   SlidingHalf half (6, 3, 3, true);
-  half.state_.weights.assign (half.wall_.links.size(), 0.96);
+  half.state_.weights.assign (half.wall_.links.size(), kTogether + 0.01);
   EXPECT_EQ (half.result().groups, 1);
-  half.state_.weights.assign (half.wall_.links.size(), 0.94);
+  half.state_.weights.assign (half.wall_.links.size(), kTogether - 0.01);
   EXPECT_EQ (half.result().groups, 2);
 }
 

@@ -9,8 +9,10 @@ namespace {
 using namespace pcl_msf;
 
 constexpr int kSide = 80;
+constexpr int kMost = 64;
+constexpr int kLeast = 2048; // of all segments
 
-/** A flat wall cut into upright strips of equal width, at most 64 points of each. */
+/** A flat wall cut into upright strips of equal width, at most kMost points of each. */
 SegmentPixels
 stripsOf (int strips)
 {
@@ -22,7 +24,8 @@ stripsOf (int strips)
   for (int x = 0; x < kSide; ++x)
     labels.col (x) = x * strips / kSide;
   PointOptions options;
-  options.max_per_segment = 64;
+  options.max_per_segment = kMost;
+  options.tuning.least_samples = kLeast;
   return groupPixels (level, labels, strips, options);
 }
 
@@ -30,14 +33,14 @@ TEST (SegmentPixels, KeepsSamplesOfEachSegment)
 {
   const SegmentPixels many = stripsOf (40);
   for (int k = 0; k < 40; ++k)
-    EXPECT_EQ (many.size (k), 64);
+    EXPECT_EQ (many.size (k), kMost);
 }
 
 TEST (SegmentPixels, FewSegmentsHaveMoreSamplesEach)
 {
-  EXPECT_EQ (stripsOf (1).size (0), 2048);
-  EXPECT_EQ (stripsOf (8).size (5), 256);
-  EXPECT_EQ (stripsOf (80).size (7), 64);
+  EXPECT_EQ (stripsOf (1).size (0), kLeast);
+  EXPECT_EQ (stripsOf (8).size (5), kLeast / 8);
+  EXPECT_EQ (stripsOf (80).size (7), kMost);
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "support/points.h"
+#include "support/pose_matcher.h"
 #include "support/room.h"
 
 #include <cmath>
@@ -141,9 +142,7 @@ TEST_F (Room, OneSegmentIsARigidScene)
   EXPECT_EQ (result.groups, 1);
   EXPECT_EQ (result.segments[0].status, MotionStatus::Determined);
   EXPECT_EQ (result.segments[0].rank, 6);
-  const RigidPose error = result.dominant_motion * rigid.motions[0].inverse();
-  EXPECT_LT (error.angle(), 0.0003);
-  EXPECT_LT (error.translation().norm(), 0.001);
+  EXPECT_THAT (result.dominant_motion, test::isNear (rigid.motions[0], 0.0003, 0.001));
 }
 
 TEST_F (Room, EveryVariantOfTheEnergySolvesIt)

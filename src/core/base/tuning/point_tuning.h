@@ -18,102 +18,139 @@ struct PointCloudTuning {
   int most_points{
       40000};        ///< of a cloud; others move as their neighbours; more is slower
   int samples{4000}; ///< of these in all solves but the last; more is slower
+  int least_samples{12}; ///< of a given segment: fewer leave its motion open
 };
 
 /** \brief How points are matched. */
 struct PointMatchTuning {
-  double isotropy{0.1};      ///< share of point-to-point in point-to-plane: more holds
-                             ///< against sliding, less lets surfaces slide to fit
-  double backward{1.0};      ///< weight of the target's points' own matches
-  double least_mutual{0.02}; ///< sizes: least scale of the way there and back
+  double isotropy{0.1}; ///< share of point-to-point in point-to-plane: more holds
+                        ///< against sliding, less lets surfaces slide to fit
+  double backward{1.0}; ///< weight of the target's points' own matches: less leaves
+                        ///< parts of the target bare
+  double least_mutual{0.02}; ///< sizes: least scale of the way there and back: less
+                             ///< leaves few matches
   double normal_length{1.0}; ///< what a difference of normals of 1 counts as, scales of
-                             ///< the distance
-  double least_normal{0.01}; ///< sizes: that length is no smaller
-  double tight{0.01};        ///< sizes: distance of pairs that are surely right
-  double tight_normal{0.02}; ///< sizes: length of normals for these
-  double tight_weight{0.4};  ///< least robust weight of such a pair
-  int iterations{1};         ///< of the solver between two searches for matches
+                             ///< the distance: more tells sides apart, less turns far
+  double least_normal{0.01}; ///< sizes: that length is no smaller; likewise
+  double tight{0.01}; ///< sizes: distance of pairs that are surely right: more lets
+                      ///< wrong ones in
+  double tight_normal{0.02}; ///< sizes: length of normals for these; less does, too
+  double tight_weight{0.4};  ///< least robust weight of such a pair: likewise
+  int iterations{1};    ///< of the solver between two searches for matches; more is
+                        ///< slower
+  float one_side{0.3f}; ///< least cosine between normals of one side, for known
+                        ///< pairs: less takes the back of thin parts for the front
 };
 
 /** \brief How much bending may change distances along the surface. */
 struct IsometryTuning {
-  float stretch{0.08f};   ///< of a distance
-  float slack{0.015f};    ///< sizes, besides: what sampling does
+  float stretch{
+      0.08f}; ///< of a distance: more matches what bends, and what is elsewhere
+  float slack{0.015f};    ///< sizes, besides: what sampling does; likewise
   double agreement{0.55}; ///< of an anchor with the others, mean, at least: more leaves
                           ///< few anchors, less lets wrong ones in
   double sure_agreement{0.72}; ///< when that has led to nothing
   float score{0.5f};           ///< of a match, at least: likewise
-  float way_back{0.04f};       ///< sizes: scale of the way there and back
-  float near{0.1f};            ///< sizes: nearer anchors all count alike
+  float way_back{0.04f};       ///< sizes: scale of the way there and back: likewise
+  float near{0.1f};            ///< sizes: nearer anchors all count alike; more tells
+                               ///< less of a place
 };
 
 /** \brief A resolution of the solve. Lengths in sizes. */
 struct PointStage {
-  int segments;       ///< of the source
-  double regularizer; ///< gamma
-  double from;        ///< scale of the matches' robust weight in the first step
-  double to;          ///< and in the last one
-  int steps;
+  int segments;       ///< of the source: more bends more, and is slower
+  double regularizer; ///< gamma: more is stiffer
+  double from; ///< scale of the matches' robust weight in the first step: more reaches
+               ///< farther, and lets wrong matches in
+  double to;   ///< and in the last one: more is smoother where surfaces differ
+  int steps;   ///< more is slower
 };
 
 /** \brief Limbs that moved far, started anew from distances along the surface. */
 struct LimbTuning {
-  int rounds{6};           ///< of starting anew, at the most
-  double gain{2e-3};       ///< of what is explained, for one more round
-  int cut{2};              ///< the stage whose segments are started
-  int steps{15};           ///< along the pairs
-  double regularizer{0.2}; ///< gamma meanwhile
-  double from{0.2};        ///< sizes: scale of the pairs' robust weight, at first
-  double to{0.03};         ///< and last
-  double match_from{0.15}; ///< sizes: scale of the matches that follow, at first: less
-                           ///< keeps what the pairs are wrong about
-  double hold{0.3};        ///< share of the pairs in these matches, at first
-  double elsewhere{0.06};  ///< sizes: a pair this far apart disputes the motion
-  double disputed{0.04};   ///< share of the pairs that may do so without a fresh start
-  double hopeless{0.01};   ///< less of what was explained: a fresh start ends early
-  double uncovered{0.005}; ///< share of both clouds that may be off the other one
-                           ///< without a fresh start: more loses limbs
-  int anchors{80};         ///< pairs that may be; more is slower
-  int fewer_anchors{50};   ///< when these have led to nothing
-  int source_points{1000}; ///< points that are matched by isometry
-  int target_points{2000}; ///< and those they are matched with
-  int fit_rounds{5};       ///< of the robust fit of a segment to its pairs
-  int fit_pairs{4};        ///< that determine a segment's motion
+  int rounds{6};           ///< of starting anew, at the most; more is slower
+  double gain{2e-3};       ///< of what is explained, for one more round; less is slower
+  int cut{2};              ///< the stage whose segments are started: more finds small
+                           ///< limbs, and fits fewer pairs each
+  int steps{15};           ///< along the pairs; more is slower
+  double regularizer{0.2}; ///< gamma meanwhile: more bends less
+  double from{0.2}; ///< sizes: scale of the pairs' robust weight, at first: more lets
+                    ///< wrong ones pull
+  double to{0.03};  ///< and last
+  double match_from{0.15};  ///< sizes: scale of the matches that follow, at first: less
+                            ///< keeps what the pairs are wrong about
+  double hold{0.3};         ///< share of the pairs in these matches, at first: more
+                            ///< keeps what they are wrong about
+  double elsewhere{0.06};   ///< sizes: a pair this far apart conflicts with the motion;
+                            ///< less is slower
+  double conflicting{0.04}; ///< share of the pairs that may do so without a fresh
+                            ///< start: more loses limbs, less is slower
+  double early_end{0.01};   ///< less of what was explained: a fresh start ends early;
+                            ///< more is slower
+  double uncovered{0.005};  ///< share of both clouds that may be off the other one
+                            ///< without a fresh start: more loses limbs
+  int anchors{80};          ///< pairs that may be; more is slower
+  int fewer_anchors{50};    ///< when these have led to nothing; likewise
+  int source_points{1000};  ///< points that are matched by isometry; more is slower
+  int target_points{2000};  ///< and those they are matched with; likewise
+  int fit_rounds{5};        ///< of the robust fit of a segment to its pairs; likewise
+  int fit_pairs{4};         ///< that determine a segment's motion: more leaves small
+                            ///< segments to their neighbours
 };
 
 /** \brief What moves as one. */
 struct PointPartTuning {
   double allowance{10.0};   ///< of a merge, halved squared deviations: more makes fewer
                             ///< parts
-  double per_point{0.25};   ///< further, per point of the smaller part
-  double rigid_share{0.02}; ///< of the points: a body of its own, else motions blend
+  double per_point{0.25};   ///< further, per point of the smaller part: likewise
+  double rigid_share{0.02}; ///< of the points: a body of its own, else motions blend:
+                            ///< more blends more
   double free{0.03};    ///< share of what holds a body: held less in a direction, its
-                        ///< seams hold it there
-  double seam{0.1};     ///< weight of an edge of a seam then
-  int polish{4};        ///< rounds of fitting the bodies' motions
-  double outlying{2.5}; ///< deviations from the plane: scale of the weight then
-  int absorb{5};        ///< rounds of joining what fits a larger body as well
-  double worse{0.12};   ///< spacings that joining may cost
-  double worse_share{0.1};    ///< and a share of the part's own distance
-  int smoothing{2};           ///< rounds over neighbours when borders are drawn
-  double floor{0.1};          ///< spacings: least deviation; planes are no better
-  double reach{2.0};          ///< spacings: scale of matches between parts
-  double limit{3.0};          ///< spacings: farther is no match
-  double normal_length{0.01}; ///< sizes: what a difference of normals of 1 counts as
-  double isotropy{0.01};      ///< keeps near what planes leave free
+                        ///< seams hold it there; more leaves fewer to them
+  double seam{0.1};     ///< weight of an edge of a seam then: more keeps joints closed
+  int polish{4};        ///< rounds of fitting the bodies' motions; more is slower
+  double outlying{2.5}; ///< deviations from the plane: scale of the weight then;
+                        ///< more lets wrong matches in
+  int absorb{5};        ///< rounds of joining what fits a larger body as well; more
+                        ///< is slower
+  double worse{0.12};   ///< spacings that joining may cost: more makes fewer parts
+  double worse_share{0.1};  ///< and a share of the part's own distance: likewise
+  int smoothing{2};         ///< rounds over neighbours when borders are drawn: more
+                            ///< is smoother
+  double least_weight{0.1}; ///< robust weight of matches that tell the deviation: less
+                            ///< has wrong ones tell
+  double floor{0.1}; ///< spacings: least deviation; planes are no better; more makes
+                     ///< fewer parts
+  double reach{2.0}; ///< spacings: scale of matches between parts: more takes farther
+                     ///< points for their own
+  double limit{3.0}; ///< spacings: farther is no match; likewise
+  double normal_length{0.01}; ///< sizes: what a difference of normals of 1 counts as:
+                              ///< more tells sides apart
+  double isotropy{0.01};      ///< keeps near what planes leave free: more hinders
+                              ///< sliding to fit
 };
 
 /** \brief What is told of the result. */
 struct PointResultTuning {
-  double found{4.0};          ///< spacings: a surface is seen there
-  double normal_length{0.02}; ///< sizes: what a difference of normals of 1 counts as
-  double joint_share{0.02};   ///< of the points: a part that has joints
-  double unexplained{0.02};   ///< of both clouds: something lies elsewhere
-  double least_source{0.05};  ///< share of the source that must be found
-  double border{1.0};         ///< spacings of samples: so near a cut is at its border
+  double found{4.0};          ///< spacings: a surface is seen there; more finds what is
+                              ///< not
+  float facing{-0.15f};       ///< least cosine between its normals: below a right angle
+                              ///< by their error, as walls that a joint opens meet the
+                              ///< moved surface at right angles
+  double normal_length{0.02}; ///< sizes: what a difference of normals of 1 counts as:
+                              ///< more finds less
+  double joint_share{0.02};   ///< of the points: a part that has joints; less finds
+                              ///< joints of scraps
+  double unexplained{0.02};   ///< of both clouds: something lies elsewhere; more hides
+                              ///< lost limbs
+  double least_source{0.05};  ///< share of the source that must be found; less lets
+                              ///< other bodies pass
+  double border{1.0};         ///< spacings of samples: so near a cut is at its border;
+                              ///< more hides lost limbs
   double loose{0.02};         ///< share of the target in one piece that may be bare
                               ///< without a cut in the source: more hides lost limbs
-  double gap{0.2};            ///< radii of a segment between neighbours, mean
+  double gap{0.2}; ///< radii of a segment between neighbours, mean: more hides
+                   ///< torn surfaces
 };
 
 /** \brief The solve on points. */

@@ -28,6 +28,7 @@ listValues (SolveTuning& tuning, TunedValues& values)
       {"solve.align_level", &tuning.align_level, 0, 10},
       {"solve.more_cost", &tuning.more_cost, 0, 100},
       {"solve.most_lost", &tuning.most_lost, 0, 1},
+      {"solve.settled", &tuning.settled, 1e-9, 1},
       {"solve.tolerance_share", &tuning.tolerance_share, 1e-6, 1}};
   values.insert (values.end(), own.begin(), own.end());
 }

@@ -18,6 +18,7 @@ listValues (StartTuning& tuning, TunedValues& values)
       {"start.fit.rotation_prior", &fit.rotation_prior, 0, 1e4},
       {"start.fit.depth_scale", &fit.depth_scale, 1e-3, 1000},
       {"start.fit.depth_weight", &fit.depth_weight, 0, 1000},
+      {"start.fit.depth_share", &fit.depth_share, 0, 1000},
       {"start.proposals.own_penalty", &proposals.own_penalty, 0, 100},
       {"start.proposals.rough", &proposals.rough, 0, 100},
       {"start.proposals.mostly_hidden", &proposals.mostly_hidden, 0, 1},

@@ -18,6 +18,8 @@ listValues (SurfaceTuning& tuning, TunedValues& values)
                         {"surface.dust_far", &tuning.dust_far, 1, 1000},
                         {"surface.dust_loose", &tuning.dust_loose, 1, 1000},
                         {"surface.dust_flat", &tuning.dust_flat, 0, 10},
+                        {"surface.bridge_neighbors", &tuning.bridge_neighbors, 1, 1000},
+                        {"surface.bridge_reach", &tuning.bridge_reach, 0, 100},
                         {"surface.members", &tuning.members, 1, 32},
                         {"surface.overlap", &tuning.overlap, 0.1, 10}};
   values.insert (values.end(), own.begin(), own.end());

@@ -21,8 +21,12 @@
 namespace pcl_msf {
 
 /** \brief All values that were chosen by trial, a struct per stage of the method. What
- * follows from mathematics or only guards a division stays where it is used.
+ * follows from mathematics or only guards a division stays where it is used, as do
+ * limits of the checks of input, which decide what is refused, and the settings of
+ * other libraries' methods.
  *
+ * Each struct says where it was chosen; BENCHMARK.md says what else was looked at, and
+ * tests/benchmarks/results/sensitivity.csv what half and twice of a value change.
  * Ranges stand beside the names, in listValues. They are what makes sense to try, not
  * what works well. An estimate takes a copy of currentTuning() when it begins and hands
  * each stage its own struct. */

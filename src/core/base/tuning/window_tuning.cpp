@@ -8,6 +8,7 @@ void
 listValues (WindowTuning& tuning, TunedValues& values)
 {
   const TunedValues own{
+      {"window.centroid_samples", &tuning.centroid_samples, 1, 1e6},
       {"window.falloff.rounds", &tuning.falloff.rounds, 1, 100},
       {"window.falloff.inlier", &tuning.falloff.inlier, 1e-6, 1},
       {"window.falloff.least_evidence", &tuning.falloff.least_evidence, 1e-9, 1e6},
