@@ -11,6 +11,20 @@
 
 namespace pcl_msf {
 
+/** \brief How bright the points of two clouds are, in any unit; NaN = unknown. */
+struct CloudBrightness {
+  std::vector<float> source; ///< per point
+  std::vector<float> target; ///< per point
+  double weight{1.0}; ///< [0, 1000] of what it tells beside the shape; 0 = not used
+
+  /** \brief Does it tell nothing? */
+  bool
+  empty () const
+  {
+    return (source.empty() && target.empty()) || weight == 0.0;
+  }
+};
+
 /** \brief Registers articulated and deforming bodies given as points without a grid.
  *
  * The source's surface is cut into segments, each moves rigidly, neighbours hold
@@ -35,12 +49,16 @@ public:
    * in the result; empty = the surface is cut into segments. Given ones are used as
    * they are: each is rigid up to its border and in one part (`merge_bodies` tells
    * whether several may share one); those hold together that touch, or all but touch
+   * \param brightness where it varies over both surfaces by more than noise, points go
+   * to where the target is as bright, too: what slides within its own surface is found
+   * by nothing else. Exposure (gain and offset) may differ. Empty = none
    * \throws InvalidInput naming the remedy */
   CloudFlow
   estimate (const std::vector<Eigen::Vector3f>& source,
             const std::vector<Eigen::Vector3f>& target,
             const RigidPose& start = {},
-            const std::vector<int>& segments = {}) const;
+            const std::vector<int>& segments = {},
+            const CloudBrightness& brightness = {}) const;
 
 private:
   SolverParameters solver_;

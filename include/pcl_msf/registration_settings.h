@@ -67,8 +67,9 @@ public:
   }
 
   /** \brief How points find each other, default Auto: clouds without a grid by nearest
-   * neighbours. With NearestNeighbor camera, frame, segmentation and energy parameters
-   * have no effect. */
+   * neighbours. With NearestNeighbor camera, frame and segmentation parameters have
+   * no effect, and of the energy's only brightness_weight: of colours beside shapes
+   * where both clouds have some that vary, 0 = shapes alone. */
   void
   setCorrespondence (CorrespondenceMethod method);
   CorrespondenceMethod

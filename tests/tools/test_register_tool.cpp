@@ -4,6 +4,8 @@
 
 #include "support/box_chain.h"
 #include "support/expect_refusal.h"
+#include "support/run_tool.h"
+#include "support/slid_clouds.h"
 #include <gmock/gmock.h>
 #include <pcl_msf/io/cloud_files.h>
 #include <pcl_msf/io/data_folder.h>
@@ -56,6 +58,43 @@ TEST (RegisterTool, WritesWhatAUserWants)
                HasSubstr ("\"converged\": true"));
   EXPECT_THAT (readFile (folder ("out/report.json")), HasSubstr ("\"tuning_hash\""));
   EXPECT_EQ (filesIn (folder ("out")), 6u); // with the list of them
+}
+
+void
+writeColoredPly (const std::string& path,
+                 const std::vector<Eigen::Vector3f>& points,
+                 const std::vector<float>& brightness)
+{
+  std::ostringstream ply;
+  ply << "ply\nformat ascii 1.0\nelement vertex " << points.size()
+      << "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar "
+         "red\nproperty uchar green\nproperty uchar blue\nend_header\n";
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const int b = static_cast<int> (255.0F * brightness[i]);
+    ply << points[i].transpose() << " " << b << " " << b << " " << b << "\n";
+  }
+  writeFile (path, ply.str());
+}
+
+TEST (RegisterTool, ColoursTellWhatSlidesWithinItsSurface)
+{
+  const TemporaryFolder folder;
+  const SlidClouds clouds = turnedCylinder (0.3);
+  writeColoredPly (folder ("source.ply"), clouds.source, clouds.source_brightness);
+  writeColoredPly (folder ("target.ply"), clouds.target, clouds.target_brightness);
+  const std::string command = kTool + folder ("source.ply") + " " +
+                              folder ("target.ply") + " --quiet --output " +
+                              folder ("out");
+  const ToolRun done = runTool (folder, command);
+  ASSERT_EQ (done.status, 0) << done.err;
+  EXPECT_LT (clouds.meanError (io::readPoints (folder ("out/warped.ply")).points),
+             4e-3);
+  ASSERT_EQ (runTool (folder, command + " --brightness-weight 0").status, 0);
+  EXPECT_GT (clouds.meanError (io::readPoints (folder ("out/warped.ply")).points),
+             0.03);
+  const ToolRun refused = runTool (folder, command + " --brightness-weight -1");
+  EXPECT_EQ (refused.status, 1);
+  EXPECT_THAT (refused.err, HasSubstr ("--brightness-weight"));
 }
 
 TEST (RegisterTool, TakesSegmentsAndKnownPairs)

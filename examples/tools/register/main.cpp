@@ -45,6 +45,7 @@ struct RegisterOptions {
   std::string segments; ///< file
   std::string pairs;    ///< file
   bool quiet{false};
+  double brightness_weight{1.0};
   SolverParameters solver;
 };
 
@@ -72,6 +73,12 @@ declareOptions (CLI::App& app, RegisterOptions& o)
            "known pairs, \"SOURCE TARGET [WEIGHT]\" a line: indices from 0; weight 1 = "
            "right to about a point's distance, 1e6 = hard",
            o.pairs);
+  addNumber (app,
+             "--brightness-weight",
+             "W",
+             "of colours beside shapes where both files have some, 0 to 1000; 0 = "
+             "shapes alone",
+             o.brightness_weight);
   addNumber (app, "--threads", "N", "0 = all", o.solver.threads);
   addNumber (app, "--max-seconds", "S", "time budget, 0 = none", o.solver.max_seconds);
   addSwitch (
@@ -79,6 +86,8 @@ declareOptions (CLI::App& app, RegisterOptions& o)
   addFlag (app, "--quiet", "print errors and warnings only", o.quiet);
   addTuningOptions (app);
   app.final_callback ([&o] {
+    if (!(o.brightness_weight >= 0.0 && o.brightness_weight <= 1000.0))
+      throw UsageError ("--brightness-weight must be 0 to 1000");
     std::string why;
     if (o.solver.isValid (&why))
       return;
@@ -156,8 +165,14 @@ estimate (const RegisterOptions& options,
   std::vector<int> segments;
   if (!options.segments.empty())
     segments = readLabels (options.segments);
+  CloudBrightness brightness;
+  brightness.weight = options.brightness_weight;
+  if (!source.colors.empty() && !target.colors.empty()) {
+    brightness.source = io::brightnessOf (source);
+    brightness.target = io::brightnessOf (target);
+  }
   return CloudFlowEstimator (solver, constraints)
-      .estimate (source.points, target.points, {}, segments);
+      .estimate (source.points, target.points, {}, segments, brightness);
 }
 
 double

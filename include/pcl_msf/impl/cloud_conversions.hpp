@@ -63,16 +63,25 @@ packedColor (const PointT& point)
   return {bgra[0], bgra[1], bgra[2]};
 }
 
+/** As it is in the cloud. */
 template <typename PointT>
 float
-rawIntensity (const PointT& point)
+readIntensity (const PointT& point)
 {
   using Field = pcl::fields::intensity;
   using Value = typename pcl::traits::datatype<PointT, Field>::type;
   Value value;
   pcl::getFieldValue<PointT, Value> (
       point, pcl::traits::offset<PointT, Field>::value, value);
-  const auto intensity = static_cast<float> (value);
+  return static_cast<float> (value);
+}
+
+/** 0 where it is not finite. */
+template <typename PointT>
+float
+rawIntensity (const PointT& point)
+{
+  const float intensity = readIntensity (point);
   return std::isfinite (intensity) ? intensity : 0.0f;
 }
 

@@ -11,7 +11,9 @@
 #include <opencv2/core.hpp>
 
 #include <pcl_msf/cloud_constraints.h>
+#include <pcl_msf/cloud_conversions.h>
 #include <pcl_msf/cloud_flow.h>
+#include <pcl_msf/cloud_flow_estimator.h>
 #include <pcl_msf/export.h>
 #include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/parameters.h>
@@ -43,6 +45,29 @@ allPoints (const pcl::PointCloud<PointT>& cloud)
   return image;
 }
 
+/** Brightness per point of a cloud of any shape, NaN = unknown; empty for types without
+ * colour. */
+template <typename PointT>
+std::vector<float>
+allBrightness (const pcl::PointCloud<PointT>& cloud)
+{
+  using namespace pcl::fields;
+  std::vector<float> brightness;
+  const auto gray = [] (const cv::Vec3b& bgr) {
+    return (0.114F * bgr[0] + 0.587F * bgr[1] + 0.299F * bgr[2]) / 255.0F;
+  };
+  if constexpr (has_field<PointT, rgb>)
+    for (const PointT& p : cloud)
+      brightness.push_back (gray (packedColor<rgb> (p)));
+  else if constexpr (has_field<PointT, rgba>)
+    for (const PointT& p : cloud)
+      brightness.push_back (gray (packedColor<rgba> (p)));
+  else if constexpr (has_field<PointT, intensity>)
+    for (const PointT& p : cloud)
+      brightness.push_back (readIntensity (p));
+  return brightness;
+}
+
 /** What nearest neighbours work on. */
 struct NeighborTask {
   cv::Mat source;          ///< CV_32FC3, NaN = no point
@@ -52,6 +77,7 @@ struct NeighborTask {
   CloudConstraints constraints;
   SolverParameters solver;
   RigidPose start;
+  CloudBrightness brightness; ///< per point of source and target
 };
 
 /** Labels of a cloud of any shape, as labelImage tells them. */

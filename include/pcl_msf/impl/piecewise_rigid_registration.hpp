@@ -138,7 +138,13 @@ PiecewiseRigidRegistration<PointT>::matchNeighbors (const pcl::Indices& points,
                             {},
                             constraints_,
                             getSolverParameters(),
-                            detail::startPose (guess)};
+                            detail::startPose (guess),
+                            {}};
+  task.brightness.weight = (std::min) (energy_.brightness_weight, 1000.0);
+  if (energy_.brightness_weight > 0.0) {
+    task.brightness.source = detail::allBrightness (*aligned_);
+    task.brightness.target = detail::allBrightness (*targets_[0]);
+  }
   requireFittingLabels();
   if (labels_)
     task.labels = detail::pointLabels (*labels_);

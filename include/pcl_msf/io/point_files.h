@@ -20,6 +20,11 @@ struct PointFile {
   std::vector<std::uint32_t> colors; ///< 0xRRGGBB per point; empty when there are none
 };
 
+/** \brief Brightness of the colours, [0, 1], as CloudBrightness takes it; empty when
+ * there are none. */
+PCL_MSF_EXPORT std::vector<float>
+brightnessOf (const PointFile& file);
+
 /** \brief Reads the points of a .pcd, .ply (ascii or binary) or .obj file; of the last
  * two the vertices. Fields other than x y z and colours are ignored; a .pcd's are those
  * of readOrganizedCloud, an .obj's the three numbers behind x y z, 0 to 1 or 0 to 255.

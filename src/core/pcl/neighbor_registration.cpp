@@ -226,7 +226,10 @@ registerByNeighbors (const NeighborTask& task)
   CloudFlow found = estimator.estimate (choose (pointsOf (task.source), task.points),
                                         pointsOf (task.target),
                                         task.start,
-                                        choose (task.labels, task.points));
+                                        choose (task.labels, task.points),
+                                        {choose (task.brightness.source, task.points),
+                                         task.brightness.target,
+                                         task.brightness.weight});
   NeighborRegistration result;
   result.joints = found.joints;
   result.target.assign (task.source.total(), -1);

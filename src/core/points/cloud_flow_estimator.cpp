@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/base/parallel_for.h"
+#include "core/points/cloud_textures.h"
 #include "core/points/point_result.h"
 #include "core/points/point_solve.h"
 #include <pcl_msf/cloud_flow_estimator.h>
 #include <pcl_msf/errors.h>
 
 #include <chrono>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -38,25 +40,44 @@ CloudFlow
 CloudFlowEstimator::estimate (const std::vector<Eigen::Vector3f>& source,
                               const std::vector<Eigen::Vector3f>& target,
                               const RigidPose& start,
-                              const std::vector<int>& segments) const
+                              const std::vector<int>& segments,
+                              const CloudBrightness& brightness) const
 {
   const auto begin = std::chrono::steady_clock::now();
   const int threads = threadCount (solver_.threads);
-  const Tuning tuning = currentTuning();
+  if (!(brightness.weight >= 0.0 && brightness.weight <= 1000.0))
+    throw InvalidInput ("the weight of brightness is not in [0, 1000]");
+  Tuning tuning = currentTuning();
+  tuning.points.brightness.weight *= brightness.weight;
+  tuning.points.brightness.part_weight *= brightness.weight;
   SolveProgress progress (solver_, kSteps);
   const GivenSegments given = numberSegments (segments, source);
-  const PointClouds clouds =
-      preparePointClouds (source, target, tuning, threads, given.of);
+  PointClouds clouds = preparePointClouds (source, target, tuning, threads, given.of);
+  addTextures (brightness,
+               source.size(),
+               target.size(),
+               tuning.points.brightness,
+               threads,
+               clouds);
   const PriorKnowledge prior =
       priorKnowledge (constraints_, clouds, given, source, target, tuning.points.match);
   const double segment_seconds = secondsSince (begin);
-  PointSolve solve (clouds, prior, clouds.scaled (start), tuning, threads, progress);
-  solve.run();
+  const auto solve_from = [&] {
+    auto solve = std::make_unique<PointSolve> (
+        clouds, prior, clouds.scaled (start), tuning, threads, progress);
+    solve->run();
+    return solve;
+  };
+  std::unique_ptr<PointSolve> solve = solve_from();
+  if (!solve->brightnessAgrees() && !progress.stopped()) {
+    dropTextures (clouds);
+    solve = solve_from();
+  }
   const double solve_seconds = secondsSince (begin) - segment_seconds;
   CloudFlow flow = makeCloudFlow (clouds,
                                   prior,
                                   given,
-                                  solve,
+                                  *solve,
                                   source,
                                   solver_.merge_bodies,
                                   tuning.points,

@@ -16,6 +16,7 @@ movePoints (const PointSamples& samples,
   MovedPoints moved;
   moved.points.resize (samples.size());
   moved.normals.resize (samples.size());
+  moved.brightness = samples.brightness;
   parallelFor (threads, samples.size(), 512, [&] (int i) {
     const Eigen::Vector3d p = samples.points[i].cast<double>();
     const Eigen::Vector3d n = samples.normals[i].cast<double>();

@@ -14,6 +14,7 @@ struct PointSamples {
   std::vector<Eigen::Vector3f> points;
   std::vector<Eigen::Vector3f> normals;
   std::vector<std::vector<Membership>> members;
+  std::vector<float> brightness; ///< NaN = unknown; may be empty
 
   int
   size () const
@@ -26,6 +27,7 @@ struct PointSamples {
 struct MovedPoints {
   std::vector<Eigen::Vector3f> points;
   std::vector<Eigen::Vector3f> normals;
+  std::vector<float> brightness; ///< as before
 };
 
 /** \brief Each point moved by the mean of its segments' motions. */

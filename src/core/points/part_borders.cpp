@@ -51,6 +51,8 @@ takers (const PartBorders& b,
       const bool rigid = b.rigid[parts[i][candidate]] != 0;
       some.points.push_back (b.surface.points[i]);
       some.normals.push_back (b.surface.normals[i]);
+      if (!b.brightness.empty())
+        some.brightness.push_back (b.brightness[i]);
       some.members.push_back (rigid ? b.oneOf (parts[i][candidate])
                                     : b.segments.members[i]);
       place.push_back (i);
@@ -106,6 +108,7 @@ PartBorders::oneOf (int part) const
 
 std::vector<int>
 PartBorders::draw (MatchTarget& target,
+                   const MatchRules& rules,
                    double spacing,
                    const PointPartTuning& tuning,
                    int threads) const
@@ -115,11 +118,8 @@ PartBorders::draw (MatchTarget& target,
   for (int c = 0; c < kMost; ++c) { // one candidate after the other, all points
     std::vector<int> place;
     const PointSamples some = takers (*this, parts, c, place);
-    const std::vector<float> cost =
-        target.distances (movePoints (some, poses, threads),
-                          fineRules (tuning.reach * spacing, tuning),
-                          tuning.limit * spacing,
-                          threads);
+    const std::vector<float> cost = target.distances (
+        movePoints (some, poses, threads), rules, tuning.limit * spacing, threads);
     for (std::size_t k = 0; k < place.size(); ++k)
       costs[place[k]][c] = cost[k];
   }

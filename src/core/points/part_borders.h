@@ -18,14 +18,16 @@ fineRules (double distance, const PointPartTuning& tuning);
 struct PartBorders {
   const Surface& surface;
   const SurfaceSegments& segments;
-  const std::vector<int>& part_of;     ///< per segment
-  const std::vector<char>& rigid;      ///< per part
-  const std::vector<RigidPose>& poses; ///< per segment
+  const std::vector<int>& part_of;      ///< per segment
+  const std::vector<char>& rigid;       ///< per part
+  const std::vector<RigidPose>& poses;  ///< per segment
+  const std::vector<float>& brightness; ///< per point; may be empty
 
   /** \brief The part of every point: between parts that of the motion that fits the
-   * target best. \param spacing of the target */
+   * target best. \param rules that tell how well \param spacing of the target */
   std::vector<int>
   draw (MatchTarget& target,
+        const MatchRules& rules,
         double spacing,
         const PointPartTuning& tuning,
         int threads) const;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/tuning/tuning.h"
-#include "core/surface/surface.h"
+#include "core/surface/surface_texture.h"
 #include <pcl_msf/rigid_pose.h>
 
 #include <vector>
@@ -12,12 +12,14 @@ namespace pcl_msf {
 
 /** \brief The points of one cloud that a registration works on. */
 struct WorkingCloud {
-  Surface surface;          ///< scaled
-  std::vector<int> given;   ///< per working point, its index in the cloud
-  std::vector<int> samples; ///< of the surface, evenly spread
-  std::vector<int> segment; ///< per working point, of given ones: 0, 1, .. without
-                            ///< gaps; empty = none are given
-  Surface thin;             ///< of the samples alone
+  Surface surface;             ///< scaled
+  std::vector<int> given;      ///< per working point, its index in the cloud
+  std::vector<int> samples;    ///< of the surface, evenly spread
+  std::vector<int> segment;    ///< per working point, of given ones: 0, 1, .. without
+                               ///< gaps; empty = none are given
+  Surface thin;                ///< of the samples alone
+  SurfaceTexture texture;      ///< of the surface; see addTextures
+  SurfaceTexture thin_texture; ///< and of the thin one
 };
 
 /** \brief Both clouds, brought to a size of about 1 around the origin: whatever unit

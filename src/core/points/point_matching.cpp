@@ -79,6 +79,18 @@ PointPull::add (const Eigen::Vector3d& q,
   weight += share;
 }
 
+void
+PointPull::addSlope (const Eigen::Vector3d& q,
+                     const Eigen::Vector3d& slope,
+                     double value,
+                     double share)
+{
+  const double at_origin = value - slope.dot (q);
+  a += share * slope * slope.transpose();
+  b -= share * at_origin * slope;
+  c += 0.5 * share * at_origin * at_origin;
+}
+
 /** Ready for searches from the moved points, and from the target's points, too. */
 void
 MatchTarget::prepare (const MovedPoints& moved, double normal_length, bool both_ways)
@@ -159,6 +171,7 @@ MatchTarget::pulls (const MovedPoints& moved, const MatchRules& rules, int threa
   prepare (moved, rules.normal_length, rules.mutual > 0.0 || rules.backward > 0.0);
   const int n = static_cast<int> (moved.points.size());
   std::vector<PointPull> pulls (n);
+  std::vector<PointPair> forward (n);
   const auto pull = [&] (int i, int j, double share) {
     pulls[i].add (surface_.points[j].cast<double>(),
                   surface_.normals[j].cast<double>(),
@@ -177,7 +190,10 @@ MatchTarget::pulls (const MovedPoints& moved, const MatchRules& rules, int threa
       share *= s / (s + way) * s / (s + way);
     }
     pull (i, j, share);
+    forward[i] = {i, j, share};
   });
+  if (rules.brightness > 0.0)
+    pullByBrightness (moved, forward, rules, pulls);
   if (!(rules.backward > 0.0))
     return pulls;
   const int m = static_cast<int> (samples_.size());
@@ -192,6 +208,35 @@ MatchTarget::pulls (const MovedPoints& moved, const MatchRules& rules, int threa
     if (match.source >= 0)
       pull (match.source, match.target, share * match.weight);
   return pulls;
+}
+
+/** Points go to where the target is as bright. Their weight says how many points pull:
+ * it stays as it is. */
+void
+MatchTarget::pullByBrightness (const MovedPoints& moved,
+                               const std::vector<PointPair>& matches,
+                               const MatchRules& rules,
+                               std::vector<PointPull>& pulls)
+{
+  brightness_ = BrightnessComparison (moved,
+                                      matches,
+                                      surface_,
+                                      texture_,
+                                      rules.brightness,
+                                      rules.brightness_weight,
+                                      rules.outlying);
+  if (!brightness_.used())
+    return;
+  for (const PointPair& match : matches) {
+    if (match.source < 0 || !brightness_.knows (moved, match.source, match.target))
+      continue;
+    const Eigen::Vector3d q = surface_.points[match.target].cast<double>();
+    const Eigen::Vector3d slope = brightness_.slope (match.target);
+    const Eigen::Vector3d x = moved.points[match.source].cast<double>();
+    const double d = brightness_.difference (moved, match.source, match.target);
+    pulls[match.source].addSlope (
+        q, slope, d - slope.dot (x - q), match.weight * brightness_.weight (d));
+  }
 }
 
 std::pair<double, double>
@@ -228,13 +273,21 @@ MatchTarget::distances (const MovedPoints& moved,
   prepare (moved, rules.normal_length, false);
   const auto limit = static_cast<float> (most);
   std::vector<float> result (moved.points.size(), limit);
+  const bool bright =
+      rules.brightness > 0.0 && brightness_.used() && !moved.brightness.empty();
   parallelFor (threads, static_cast<int> (result.size()), 128, [&] (int i) {
     const int j = forwardMatch (moved, i);
     if (j < 0)
       return;
     const Eigen::Vector3f d = moved.points[i] - surface_.points[j];
-    if (d.norm() < limit && moved.normals[i].dot (surface_.normals[j]) > 0.0f)
-      result[i] = std::abs (d.dot (surface_.normals[j]));
+    if (!(d.norm() < limit && moved.normals[i].dot (surface_.normals[j]) > 0.0f))
+      return;
+    result[i] = std::abs (d.dot (surface_.normals[j]));
+    if (bright && brightness_.knows (moved, i, j))
+      result[i] = std::min (limit,
+                            std::hypot (result[i],
+                                        static_cast<float> (brightness_.length (
+                                            brightness_.difference (moved, i, j)))));
   });
   return result;
 }

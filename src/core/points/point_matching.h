@@ -4,6 +4,7 @@
 
 #include "core/points/deformation.h"
 #include "core/points/isometry.h"
+#include "core/points/point_brightness.h"
 #include "core/surface/point_tree.h"
 
 #include <vector>
@@ -23,6 +24,13 @@ struct PointPull {
        const Eigen::Vector3d& n,
        double share,
        double isotropy);
+
+  /** \brief Adds share/2 (slope'(x-q) + value)^2. */
+  void
+  addSlope (const Eigen::Vector3d& q,
+            const Eigen::Vector3d& slope,
+            double value,
+            double share);
 };
 
 /** \brief How points are matched. Lengths in the unit of the points. */
@@ -35,6 +43,10 @@ struct MatchRules {
   double mutual{0.0};        ///< scale of the way there and back; 0 = unused
   double backward{1.0};      ///< weight of the target's points' own matches
   bool borders{false};       ///< may a match lie on the target's border?
+  double brightness{0.0};    ///< a difference of brightness that is this far along the
+                             ///< texture's slope may be a distance; 0 = not compared
+  double brightness_weight{1.0}; ///< of such a difference, squared, beside a distance
+  double outlying{2.5};          ///< deviations: scale of its robust weight
 };
 
 /** \brief Which points of two clouds lie on the other one. */
@@ -83,14 +95,25 @@ private:
  * search begins at them. For one thread at a time. */
 class MatchTarget {
 public:
-  MatchTarget (const Surface& surface, std::vector<int> samples)
-  : surface_ (surface), samples_ (std::move (samples))
+  /** \param samples points that look for matches themselves */
+  MatchTarget (const Surface& surface,
+               std::vector<int> samples,
+               const SurfaceTexture& texture)
+  : surface_ (surface), samples_ (std::move (samples)), texture_ (texture)
   {}
 
   /** \brief What pulls at every sample. Each has a share of 1 of all weights at most
-   * from either side. */
+   * from either side. What the rules say of brightness holds from then on. */
   std::vector<PointPull>
   pulls (const MovedPoints& moved, const MatchRules& rules, int threads);
+
+  /** \brief Correlation of brightness between the moved points and their matches in the
+   * last pulls; 0 when it was not compared. */
+  double
+  brightnessAgreement () const
+  {
+    return brightness_.correlation();
+  }
 
   /** \brief Shares of the moved points and of the target's samples that have a match.
    * \param weights of the moved points, may be empty */
@@ -100,8 +123,9 @@ public:
              const std::vector<float>& weights,
              int threads);
 
-  /** \brief Per moved point, how far it is from the plane at its match: `most` when it
-   * has none, is farther from it than that, or does not face it. */
+  /** \brief Per moved point, how far it is from the plane at its match, and from where
+   * it would be as bright, if the rules say so and pulls were asked for: `most` when it
+   * has no match, is farther from it than that, or does not face it. */
   std::vector<float>
   distances (const MovedPoints& moved,
              const MatchRules& rules,
@@ -126,6 +150,11 @@ private:
   backwardMatch (int sample);
   double
   weight (const MovedPoints& moved, int i, int j, const MatchRules& rules) const;
+  void
+  pullByBrightness (const MovedPoints& moved,
+                    const std::vector<PointPair>& matches,
+                    const MatchRules& rules,
+                    std::vector<PointPull>& pulls);
   template <typename Value, typename Score>
   std::pair<std::vector<Value>, std::vector<Value>>
   scores (const MovedPoints& moved,
@@ -134,9 +163,11 @@ private:
           const Score& score);
 
   const Surface& surface_;
-  std::vector<int> samples_;   ///< points that look for matches themselves
-  FeatureTree tree_;           ///< of the surface
-  double normal_length_{-1.0}; ///< in that tree
+  std::vector<int> samples_; ///< points that look for matches themselves
+  const SurfaceTexture& texture_;
+  BrightnessComparison brightness_; ///< by the last pulls
+  FeatureTree tree_;                ///< of the surface
+  double normal_length_{-1.0};      ///< in that tree
   FeatureTree moved_tree_;
   std::vector<int> forward_;  ///< last match per moved point
   std::vector<int> backward_; ///< and per sample

@@ -183,13 +183,12 @@ makeCloudFlow (const PointClouds& clouds,
                int threads)
 {
   CloudFlow flow;
-  const RigidParts parts =
-      findParts (clouds, prior, solve, merge, tuning.parts, threads);
+  const RigidParts parts = findParts (clouds, prior, solve, merge, tuning, threads);
   addParts (clouds, parts, flow);
   addJoints (clouds, parts, tuning.result.joint_share, flow);
   if (!given.labels.empty())
     tellSegments (clouds, given, source, solve.segments(), parts, flow);
-  const MovedPoints moved{parts.points, parts.normals};
+  const MovedPoints moved{parts.points, parts.normals, {}};
   const std::vector<float> confidence =
       judge (clouds, solve, moved, tuning.result, threads, flow);
   carryAll (clouds, given, parts, source, confidence, threads, flow);

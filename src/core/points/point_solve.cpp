@@ -34,8 +34,8 @@ PointSolve::PointSolve (const PointClouds& clouds,
 , threads_ (threads)
 , progress_ (progress)
 , cuts_ (cutSamples (clouds.source, prior.fixed, tuning))
-, coarse_ (clouds.target.thin, allOf (clouds.target.thin))
-, fine_ (clouds.target.surface, clouds.target.samples)
+, coarse_ (clouds.target.thin, allOf (clouds.target.thin), clouds.target.thin_texture)
+, fine_ (clouds.target.surface, clouds.target.samples, clouds.target.texture)
 {
   samples_.points = clouds.source.thin.points;
   samples_.normals = clouds.source.thin.normals;
@@ -66,25 +66,34 @@ PointSolve::enter (int cut)
                                   : samples_.members[known.sample]);
 }
 
+/** The samples are as bright as their surroundings that are as large as the target's.
+ */
+void
+PointSolve::takeBrightness (const MatchTarget& target)
+{
+  const WorkingCloud& source = clouds_.source;
+  samples_.brightness.clear();
+  if (&target == &coarse_)
+    samples_.brightness = source.thin_texture.value;
+  else if (!source.texture.value.empty())
+    for (const int i : source.samples)
+      samples_.brightness.push_back (source.texture.value[i]);
+}
+
 /** \param pairs of sample and point of the thin target that pull, too, less and less */
 void
 PointSolve::match (const PointStage& stage,
                    MatchTarget& target,
                    const std::vector<PointPair>& pairs)
 {
+  takeBrightness (target);
   PointEnergyWeights weights;
   weights.regularizer = stage.regularizer;
   weights.unit = segments().radius;
   PointProblem problem (samples_, known_, segments(), weights, threads_, poses_);
   for (int i = 0; i < stage.steps && !progress_.stopped(); ++i) {
     const double f = i / std::max (1.0, stage.steps - 1.0);
-    MatchRules rules;
-    rules.distance = stage.from * std::pow (stage.to / stage.from, f);
-    rules.normal_length = std::max (tuning_.match.normal_length * rules.distance,
-                                    tuning_.match.least_normal);
-    rules.isotropy = tuning_.match.isotropy;
-    rules.mutual = std::max (rules.distance, tuning_.match.least_mutual);
-    rules.backward = tuning_.match.backward;
+    const MatchRules rules = rulesOf (stage.from * std::pow (stage.to / stage.from, f));
     const MovedPoints moved = movePoints (samples_, poses_, threads_);
     std::vector<PointPull> pulls = target.pulls (moved, rules, threads_);
     prior_.weigh (clouds_.source.samples, pulls);
@@ -93,6 +102,37 @@ PointSolve::match (const PointStage& stage,
     const double cost = problem.step (pulls, tuning_.match.iterations);
     progress_.note (static_cast<int> (cuts_.size()) - 1 - cut_, cost, "match");
   }
+}
+
+/** \param distance scale of the robust weight */
+MatchRules
+PointSolve::rulesOf (double distance) const
+{
+  MatchRules rules;
+  rules.distance = distance;
+  rules.normal_length =
+      std::max (tuning_.match.normal_length * distance, tuning_.match.least_normal);
+  rules.isotropy = tuning_.match.isotropy;
+  rules.mutual = std::max (distance, tuning_.match.least_mutual);
+  rules.backward = tuning_.match.backward;
+  rules.brightness = distance;
+  rules.brightness_weight = tuning_.brightness.weight;
+  rules.outlying = tuning_.brightness.outlying;
+  return rules;
+}
+
+bool
+PointSolve::brightnessAgrees()
+{
+  const bool fine = clouds_.target.texture.varies();
+  if (!fine && !clouds_.target.thin_texture.varies())
+    return true;
+  MatchTarget& target = fine ? fine_ : coarse_;
+  takeBrightness (target);
+  target.pulls (movePoints (samples_, poses_, threads_),
+                rulesOf (tuning_.stages.back().to),
+                threads_);
+  return target.brightnessAgreement() >= tuning_.brightness.agreement;
 }
 
 /** Of pairs that are surely right. */

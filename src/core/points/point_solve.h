@@ -52,6 +52,9 @@ public:
   {
     return samples_;
   }
+  /** \brief Is brightness as the motion says, or is there none? */
+  bool
+  brightnessAgrees ();
   /** \brief Against all of the target's points. */
   MatchTarget&
   fineTarget ()
@@ -66,6 +69,10 @@ private:
   match (const PointStage& stage,
          MatchTarget& target,
          const std::vector<PointPair>& pairs = {});
+  void
+  takeBrightness (const MatchTarget& target);
+  MatchRules
+  rulesOf (double distance) const;
   MatchRules
   tightRules () const;
   std::vector<PointPair>

@@ -22,17 +22,19 @@ public:
   PartFinder (const PointClouds& clouds,
               const PriorKnowledge& prior,
               PointSolve& solve,
-              const PointPartTuning& tuning,
+              const PointTuning& tuning,
               int threads)
   : source_ (clouds.source.surface)
   , prior_ (prior)
   , segments_ (solve.segments())
   , target_ (solve.fineTarget())
   , spacing_ (clouds.target.surface.median_spacing)
-  , tuning_ (tuning)
+  , tuning_ (tuning.parts)
+  , brightness_ (tuning.brightness)
   , threads_ (threads)
   , poses_ (solve.poses())
-  , all_{source_.points, source_.normals, segments_.members}
+  , all_{
+        source_.points, source_.normals, segments_.members, clouds.source.texture.value}
   {}
 
   RigidParts
@@ -46,6 +48,8 @@ public:
     variance_ = std::pow (std::max (deviationOf (moved, pulls, tuning_.least_weight),
                                     tuning_.floor * spacing_),
                           2);
+    if (!all_.brightness.empty())
+      pulls = target_.pulls (moved, rules (tuning_.reach * spacing_), threads_);
     if (merge || segments_.given) {
       part_poses_ = poses_;
       if (merge)
@@ -75,6 +79,16 @@ private:
     for (int k = 0; k < segments_.size(); ++k)
       if (segments_.isFixed (k))
         part_poses_[part_of_[k]] = poses_[k];
+  }
+  /** By shape and brightness, each as precise as it is. */
+  MatchRules
+  rules (double distance) const
+  {
+    MatchRules rules = fineRules (distance, tuning_);
+    rules.brightness = std::sqrt (variance_);
+    rules.brightness_weight = brightness_.part_weight;
+    rules.outlying = brightness_.outlying;
+    return rules;
   }
   /** Of matches and known pairs, per label of the points. A pair of weight 1 is known
    * to about a spacing. */
@@ -121,7 +135,8 @@ private:
       for (const int label : segments_.label)
         part_.push_back (part_of_[label]);
     else
-      part_ = borders().draw (target_, spacing_, tuning_, threads_);
+      part_ = borders().draw (
+          target_, rules (tuning_.reach * spacing_), spacing_, tuning_, threads_);
     for (const KnownPoint& known : prior_.points) {
       const int own = part_of_[segments_.label[known.place]];
       int& drawn = part_[known.place];
@@ -136,15 +151,15 @@ private:
   PartBorders
   borders () const
   {
-    return {source_, segments_, part_of_, rigid_, poses_};
+    return {source_, segments_, part_of_, rigid_, poses_, all_.brightness};
   }
   void
   polish ()
   {
     const MovedPoints moved = movePoints (all_, poses_, threads_);
-    MatchRules rules = fineRules (spacing_, tuning_);
-    rules.plane = tuning_.outlying * std::sqrt (variance_);
-    const std::vector<PointPull> pulls = target_.pulls (moved, rules, threads_);
+    MatchRules own = rules (spacing_);
+    own.plane = tuning_.outlying * std::sqrt (variance_);
+    const std::vector<PointPull> pulls = target_.pulls (moved, own, threads_);
     moments_ = momentsOf (part_, pulls);
     holdSeams (seamsBetween (source_, part_), part_poses_, rigid_, tuning_, moments_);
     for (std::size_t p = 0; p < part_poses_.size(); ++p)
@@ -201,14 +216,15 @@ private:
     for (const int i : points) {
       some.points.push_back (source_.points[i]);
       some.normals.push_back (source_.normals[i]);
+      if (!all_.brightness.empty())
+        some.brightness.push_back (all_.brightness[i]);
       some.members.push_back (other >= 0 ? borders().oneOf (other) : all_.members[i]);
     }
     double sum = 0.0;
-    for (const float d :
-         target_.distances (movePoints (some, poses_, threads_),
-                            fineRules (tuning_.reach * spacing_, tuning_),
-                            tuning_.limit * spacing_,
-                            threads_))
+    for (const float d : target_.distances (movePoints (some, poses_, threads_),
+                                            rules (tuning_.reach * spacing_),
+                                            tuning_.limit * spacing_,
+                                            threads_))
       sum += d;
     return sum / std::max<std::size_t> (1, points.size());
   }
@@ -294,6 +310,7 @@ private:
   MatchTarget& target_;
   double spacing_;
   const PointPartTuning& tuning_;
+  const PointBrightnessTuning& brightness_;
   int threads_;
   std::vector<RigidPose> poses_; ///< per segment
   PointSamples all_;             ///< the working points
@@ -313,7 +330,7 @@ findParts (const PointClouds& clouds,
            const PriorKnowledge& prior,
            PointSolve& solve,
            bool merge,
-           const PointPartTuning& tuning,
+           const PointTuning& tuning,
            int threads)
 {
   return PartFinder (clouds, prior, solve, tuning, threads).run (merge);

@@ -28,7 +28,7 @@ findParts (const PointClouds& clouds,
            const PriorKnowledge& prior,
            PointSolve& solve,
            bool merge,
-           const PointPartTuning& tuning,
+           const PointTuning& tuning,
            int threads);
 
 } // namespace pcl_msf

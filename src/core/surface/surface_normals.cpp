@@ -17,6 +17,10 @@ namespace pcl_msf {
 
 namespace {
 
+constexpr double kFlat = 0.01; // of a piece's reach: less volume is noise
+/** Lies on one side of most flat pieces, those along the axes' planes among them. */
+const Eigen::Vector3d kOneSide (0.36, 0.48, 0.80);
+
 using Points = std::vector<Eigen::Vector3f>;
 using Neighbors = std::vector<std::vector<FoundPoint>>;
 
@@ -114,7 +118,9 @@ turnPiece (int first,
   }
 }
 
-/** Outwards: where the volume inside, a sum over the surface, is positive. */
+/** Outwards: where the volume inside, a sum over the surface, is positive. An open
+ * piece that is flat has none but noise: it faces one side of the axes, so that another
+ * sample of it faces the same. */
 void
 turnOutwards (const Points& points,
               const Neighbors& neighbors,
@@ -126,11 +132,20 @@ turnOutwards (const Points& points,
     center += points[i].cast<double>();
   center /= static_cast<double> (piece.size());
   double volume = 0.0;
+  double reach = 0.0; // the volume that it would have at right angles to its places
+  double all = 0.0;
+  Eigen::Vector3d facing = Eigen::Vector3d::Zero();
   for (const int i : piece) {
     const double area =
         neighbors[i].empty() ? 0.0 : neighbors[i].back().squared_distance;
-    volume += area * normals[i].cast<double>().dot (points[i].cast<double>() - center);
+    const Eigen::Vector3d place = points[i].cast<double>() - center;
+    volume += area * normals[i].cast<double>().dot (place);
+    reach += area * place.norm();
+    facing += area * normals[i].cast<double>();
+    all += area;
   }
+  if (std::abs (volume) < kFlat * reach && facing.norm() > 0.5 * all)
+    volume = facing.dot (kOneSide);
   if (volume < 0.0)
     for (const int i : piece)
       normals[i] = -normals[i];

@@ -150,6 +150,18 @@ readPoints (const std::string& path)
   throw IoError (path + ": name: must end in .pcd, .ply or .obj");
 }
 
+std::vector<float>
+brightnessOf (const PointFile& file)
+{
+  std::vector<float> brightness;
+  for (const std::uint32_t rgb : file.colors)
+    brightness.push_back ((0.299f * static_cast<float> (rgb >> 16U & 0xFFU) +
+                           0.587f * static_cast<float> (rgb >> 8U & 0xFFU) +
+                           0.114f * static_cast<float> (rgb & 0xFFU)) /
+                          255.0f);
+  return brightness;
+}
+
 void
 writePointsPly (const std::string& path, const std::vector<Eigen::Vector3f>& points)
 {

@@ -4,7 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/box_chain.h"
+#include "support/chain_clouds.h"
+#include "support/slid_clouds.h"
 #include <gmock/gmock.h>
 #include <pcl_msf/piecewise_rigid_registration.h>
 
@@ -279,6 +280,61 @@ TEST_F (NeighborRegistration, TheMethodIsKeptAndBadOnesAreRefused)
   EXPECT_THAT (::testing::internal::GetCapturedStderr(),
                HasSubstr ("setCorrespondence"));
   EXPECT_EQ (registration.getCorrespondence(), CorrespondenceMethod::NearestNeighbor);
+}
+
+template <typename PointT, typename Paint>
+typename pcl::PointCloud<PointT>::Ptr
+painted (const std::vector<Eigen::Vector3f>& points,
+         const std::vector<float>& brightness,
+         const Paint& paint)
+{
+  const auto cloud = pcl_msf::testing::cloudOf<PointT> (points);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    paint ((*cloud)[i], brightness[i]);
+  return cloud;
+}
+
+/** Error of a cylinder's turn about its axis, with colours and when they are not asked
+ * for. */
+template <typename PointT, typename Paint>
+std::pair<double, double>
+turnErrors (const Paint& paint)
+{
+  const auto clouds = pcl_msf::testing::turnedCylinder (0.3);
+  PiecewiseRigidRegistration<PointT> registration;
+  registration.setInputSource (
+      painted<PointT> (clouds.source, clouds.source_brightness, paint));
+  registration.setInputTarget (
+      painted<PointT> (clouds.target, clouds.target_brightness, paint));
+  const auto error = [&] {
+    pcl::PointCloud<PointT> warped;
+    registration.align (warped);
+    std::vector<Eigen::Vector3f> points;
+    for (const PointT& p : warped)
+      points.emplace_back (p.getVector3fMap());
+    return clouds.meanError (points);
+  };
+  const double with = error();
+  EnergyParameters energy;
+  energy.brightness_weight = 0.0;
+  registration.setEnergyParameters (energy);
+  return {with, error()};
+}
+
+TEST (NeighborColors, TellWhatSlidesWithinItsSurface)
+{
+  const auto intensity = [] (auto& point, float b) { point.intensity = 4000.0f * b; };
+  const auto rgb = [] (auto& point, float b) {
+    point.r = point.g = point.b = static_cast<std::uint8_t> (255.0f * b);
+  };
+  for (const auto& [with, without] : {turnErrors<pcl::PointXYZI> (intensity),
+                                      turnErrors<pcl::PointXYZINormal> (intensity),
+                                      turnErrors<pcl::PointXYZRGB> (rgb),
+                                      turnErrors<pcl::PointXYZRGBA> (rgb),
+                                      turnErrors<pcl::PointXYZRGBNormal> (rgb)}) {
+    EXPECT_LT (with, 2e-3);
+    EXPECT_GT (without, 0.03);
+  }
 }
 
 } // namespace

@@ -216,4 +216,19 @@ TEST (Thinning, KeepsAboutTheNumberAndSpreads)
       EXPECT_GT ((points[thin[spread[i]]] - points[thin[spread[j]]]).norm(), 0.8f);
 }
 
+TEST (Surface, SamplesOfAFlatPieceFaceOneSide)
+{
+  std::mt19937 random (4);
+  const auto uniform = [&random] { return random() / 4294967296.0f; };
+  for (int axis = 0; axis < 3; ++axis)
+    for (int sample = 0; sample < 8; ++sample) {
+      Points points;
+      for (int i = 0; i < 500; ++i) {
+        points.emplace_back (uniform(), uniform(), uniform());
+        points.back()[axis] = 0.3f + 1e-3f * uniform();
+      }
+      EXPECT_GT (makeSurface (points, {}, 1).normals[7][axis], 0.9f);
+    }
+}
+
 } // namespace

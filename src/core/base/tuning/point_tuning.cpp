@@ -10,6 +10,7 @@ TunedValues
 matchingValues (PointTuning& tuning)
 {
   PointMatchTuning& match = tuning.match;
+  PointBrightnessTuning& brightness = tuning.brightness;
   IsometryTuning& isometry = tuning.isometry;
   return {{"points.clouds.most_points", &tuning.clouds.most_points, 100, 1e6},
           {"points.clouds.samples", &tuning.clouds.samples, 100, 1e6},
@@ -24,6 +25,13 @@ matchingValues (PointTuning& tuning)
           {"points.match.tight_weight", &match.tight_weight, 0, 1},
           {"points.match.iterations", &match.iterations, 1, 100},
           {"points.match.one_side", &match.one_side, -1, 1},
+          {"points.brightness.weight", &brightness.weight, 0, 1e3},
+          {"points.brightness.part_weight", &brightness.part_weight, 0, 1e3},
+          {"points.brightness.least_trust", &brightness.least_trust, 0, 1},
+          {"points.brightness.agreement", &brightness.agreement, -1, 1},
+          {"points.brightness.radius", &brightness.radius, 1, 100},
+          {"points.brightness.neighbors", &brightness.neighbors, 6, 1000},
+          {"points.brightness.outlying", &brightness.outlying, 0, 1e6},
           {"points.isometry.stretch", &isometry.stretch, 1e-4, 1},
           {"points.isometry.slack", &isometry.slack, 1e-4, 1},
           {"points.isometry.agreement", &isometry.agreement, 0, 1},

@@ -42,6 +42,22 @@ struct PointMatchTuning {
                         ///< pairs: less takes the back of thin parts for the front
 };
 
+/** \brief How brightness takes part where both clouds have some. */
+struct PointBrightnessTuning {
+  double weight{0.3}; ///< of a difference over the texture's slope, squared, beside
+                      ///< a squared distance in the solve: more lets colours that
+                      ///< contradict the shape lead astray, less leaves what slides
+  double part_weight{1.0}; ///< likewise where parts are told, beside its own noise
+  double radius{3.0};   ///< of the planes fitted to it, spacings of the sparser cloud:
+                        ///< more sees through noise, less keeps fine texture
+  int neighbors{48};    ///< in that radius at the most; more is slower
+  double outlying{2.5}; ///< deviations: scale of the robust weight
+  double least_trust{0.3}; ///< share of the texture's squared gradients that is no
+                           ///< noise, at least: less may be chance
+  double agreement{0.8};   ///< least correlation between points and their matches in
+                           ///< the end: with less, colours are of something else
+};
+
 /** \brief How much bending may change distances along the surface. */
 struct IsometryTuning {
   float stretch{
@@ -157,6 +173,7 @@ struct PointResultTuning {
 struct PointTuning {
   PointCloudTuning clouds;
   PointMatchTuning match;
+  PointBrightnessTuning brightness;
   std::array<PointStage, 4> stages{{{30, 0.6, 0.10, 0.06, 10},
                                     {60, 0.2, 0.08, 0.03, 15},
                                     {150, 0.06, 0.05, 0.02, 15},
