@@ -108,7 +108,7 @@ struct PointResultTuning {
   double found{4.0};          ///< spacings: a surface is seen there
   double normal_length{0.02}; ///< sizes: what a difference of normals of 1 counts as
   double joint_share{0.02};   ///< of the points: a part that has joints
-  double unexplained{0.02};   ///< of both clouds: something lies elsewhere
+  double unexplained{0.02};   ///< of both clouds, without a cut: it lies elsewhere
   double least_source{0.05};  ///< share of the source that must be found
   double border{1.0};         ///< spacings of samples: so near a cut is at its border
   double loose{0.02};         ///< share of the target in one piece that may be bare
