@@ -51,6 +51,8 @@ struct CloudFlow {
   std::vector<CloudJoint> joints;           ///< of parts that touch
   double explained_source{0.0}; ///< share of the source's surface seen there
   double explained_target{0.0}; ///< share of the target's that the source covers
+  double unexplained{0.0};      ///< share of either cloud, the less one, that is bare
+                                ///< though the other one is not cut off there
   double loose_target{0.0};     ///< share of the target in the largest piece that the
                                 ///< source leaves bare though it is not cut off
                                 ///< there: a limb lies elsewhere

@@ -65,45 +65,70 @@ growPiece (const Surface& surface,
 } // namespace
 
 std::vector<char>
-coveredPlaces (const Surface& surface,
-               const MovedPoints& moved,
+coveredPlaces (const MovedPoints& places,
+               const MovedPoints& others,
                double most,
                float facing,
                int threads)
 {
-  const PointTree tree (moved.points);
-  std::vector<char> covered (surface.size(), 0);
-  parallelFor (threads, surface.size(), 128, [&] (int i) {
-    const FoundPoint found = tree.nearest (surface.points[i]);
+  const PointTree tree (others.points);
+  std::vector<char> covered (places.points.size(), 0);
+  parallelFor (threads, static_cast<int> (covered.size()), 128, [&] (int i) {
+    const FoundPoint found = tree.nearest (places.points[i]);
     covered[i] = found.index >= 0 && found.squared_distance < most * most &&
-                 surface.normals[i].dot (moved.normals[found.index]) > facing;
+                 places.normals[i].dot (others.normals[found.index]) > facing;
   });
   return covered;
 }
 
-double
-largestLooseEnd (const PointClouds& clouds,
-                 const std::vector<Eigen::Vector3f>& samples,
-                 const std::vector<char>& covered,
-                 double reach)
+LooseEnds
+looseEnds (const PlacedSurface& surface,
+           const std::vector<char>& covered,
+           const PlacedSurface& other,
+           double reach)
 {
-  const Surface& source = clouds.source.thin;
-  const Surface& target = clouds.target.thin;
-  const std::vector<char> borders = nearBorders (source, reach * source.median_spacing);
-  const PointTree tree (samples);
+  const std::vector<char> borders =
+      nearBorders (other.surface, reach * other.surface.median_spacing);
+  const PointTree tree (other.points);
   std::vector<char> ends;
-  for (const auto& p : target.points)
+  for (const auto& p : surface.points)
     ends.push_back (borders[tree.nearest (p).index]);
-  std::vector<char> seen (target.size(), 0);
+  std::vector<char> seen (covered.size(), 0);
   int largest = 0;
-  for (int i = 0; i < target.size(); ++i) {
+  int all = 0;
+  for (int i = 0; i < surface.surface.size(); ++i) {
     if (covered[i] || seen[i])
       continue;
-    const Piece piece = growPiece (target, i, covered, ends, seen);
-    if (2 * piece.at_border < piece.steps)
+    const Piece piece = growPiece (surface.surface, i, covered, ends, seen);
+    const bool rimless = piece.steps == 0;
+    if (!rimless && 2 * piece.at_border >= piece.steps)
+      continue;
+    all += piece.points;
+    if (!rimless)
       largest = std::max (largest, piece.points);
   }
-  return largest / std::max (1.0, static_cast<double> (target.size()));
+  const double size = std::max (1.0, static_cast<double> (covered.size()));
+  return {largest / size, all / size};
+}
+
+CloudEnds
+looseEnds (const PointClouds& clouds,
+           const MovedPoints& samples,
+           const MovedPoints& moved,
+           double near,
+           const PointResultTuning& tuning,
+           int threads)
+{
+  const Surface& thin = clouds.target.thin;
+  const Surface& all = clouds.target.surface;
+  const PlacedSurface source{clouds.source.thin, samples.points};
+  const PlacedSurface target{thin, thin.points};
+  const std::vector<char> of_source =
+      coveredPlaces (samples, {all.points, all.normals}, near, tuning.facing, threads);
+  const std::vector<char> of_target =
+      coveredPlaces ({thin.points, thin.normals}, moved, near, tuning.facing, threads);
+  return {looseEnds (source, of_source, target, tuning.border),
+          looseEnds (target, of_target, source, tuning.border)};
 }
 
 double

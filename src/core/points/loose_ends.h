@@ -2,33 +2,70 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/point_tuning.h"
 #include "core/points/deformation.h"
 #include "core/points/point_clouds.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace pcl_msf {
 
-/** \brief Per point of a surface: is the nearest moved point within the distance, and
- * does it not face away? \param facing least cosine between their normals */
+/** \brief A surface and where its points lie now. */
+struct PlacedSurface {
+  const Surface& surface;
+  const std::vector<Eigen::Vector3f>& points;
+};
+
+/** \brief Pieces of a surface that another one leaves bare though its own surface goes
+ * on at their rims, as shares of all: where that is cut off, too, a piece has nothing
+ * to be covered by; where it is not, it went elsewhere, as when a limb ends on another.
+ */
+struct LooseEnds {
+  double largest{0.0};
+  double all{0.0}; ///< with pieces that have no rim
+};
+
+/** \brief Per place: is the nearest of other points within the distance, and does it
+ * not face away? \param facing least cosine between their normals */
 std::vector<char>
-coveredPlaces (const Surface& surface,
-               const MovedPoints& moved,
+coveredPlaces (const MovedPoints& places,
+               const MovedPoints& others,
                double most,
                float facing,
                int threads);
 
-/** \brief The largest piece of the target's surface, as a share of all, that the moved
- * source leaves bare though the source's own surface goes on at its rim: where that is
- * cut off, too, the piece has nothing to be covered by; where it is not, it went
- * elsewhere, as when a limb ends on another one.
- * \param samples the source's thin surface, moved \param covered per sample of the
- * target \param reach median spacings that points may be from the border of a cut */
-double
-largestLooseEnd (const PointClouds& clouds,
-                 const std::vector<Eigen::Vector3f>& samples,
-                 const std::vector<char>& covered,
-                 double reach);
+/** \param covered per point of the surface \param reach median spacings that points of
+ * the other one may be from the border of a cut */
+LooseEnds
+looseEnds (const PlacedSurface& surface,
+           const std::vector<char>& covered,
+           const PlacedSurface& other,
+           double reach);
+
+/** \brief Of both clouds. */
+struct CloudEnds {
+  LooseEnds source;
+  LooseEnds target;
+
+  /** \brief Share that is bare in either cloud, the less one. */
+  double
+  unexplained () const
+  {
+    return std::min (source.all, target.all);
+  }
+};
+
+/** \brief What the clouds leave bare of each other.
+ * \param samples the source's thin surface, moved \param moved what may cover the
+ * target \param near distance within which a place is covered */
+CloudEnds
+looseEnds (const PointClouds& clouds,
+           const MovedPoints& samples,
+           const MovedPoints& moved,
+           double near,
+           const PointResultTuning& tuning,
+           int threads);
 
 /** \brief How far neighbouring segments are from each other where they touch, mean, in
  * radii of a segment: joints turn without that, a torn or twisted surface does not. */

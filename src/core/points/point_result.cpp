@@ -111,14 +111,14 @@ judge (const PointClouds& clouds,
   const Coverage coverage = target.covered (moved, rules, limit, threads);
   flow.explained_source = coverage.movedShare();
   flow.explained_target = coverage.samplesShare();
-  std::vector<Eigen::Vector3f> samples;
-  for (const int i : clouds.source.samples)
-    samples.push_back (moved.points[i]);
-  flow.loose_target = largestLooseEnd (
-      clouds,
-      samples,
-      coveredPlaces (clouds.target.thin, moved, limit, tuning.facing, threads),
-      tuning.border);
+  MovedPoints samples;
+  for (const int i : clouds.source.samples) {
+    samples.points.push_back (moved.points[i]);
+    samples.normals.push_back (moved.normals[i]);
+  }
+  const CloudEnds ends = looseEnds (clouds, samples, moved, limit, tuning, threads);
+  flow.loose_target = ends.target.largest;
+  flow.unexplained = ends.unexplained();
   flow.gap = meanGap (solve.segments(), solve.poses());
   std::vector<float> confidence = target.distances (moved, rules, limit, threads);
   const std::vector<float> stretch = stretchOf (surface, moved.points, threads);
@@ -208,7 +208,6 @@ noteOutcome (const SolveProgress& progress,
     report.final_cost.icp = report.history.back().cost;
   }
   report.stop_reason = progress.stopped() ? progress.reason() : StopReason::Converged;
-  const double missing = 1.0 - std::max (flow.explained_source, flow.explained_target);
   if (progress.stopped())
     report.message = "ended before its end; the result is the best so far";
   else if (flow.explained_source < tuning.least_source) {
@@ -217,10 +216,12 @@ noteOutcome (const SolveProgress& progress,
                      " % of the source is found on the target, too little to tell how "
                      "the rest moves: give a target that shows more of it";
   }
-  else if (missing > tuning.unexplained) {
+  else if (flow.unexplained > tuning.unexplained) {
     report.stop_reason = StopReason::DifferentPlaces;
-    report.message = "parts of both clouds are not found on each other: give a start "
-                     "that is nearer, or clouds that show the same";
+    report.message =
+        "parts of both clouds, " + fixedText (100.0 * flow.unexplained, 1) +
+        " % or more, are not found on each other, nor cut off: give a start "
+        "that is nearer, or clouds that show the same";
   }
   else if (flow.loose_target > tuning.loose) {
     report.stop_reason = StopReason::DifferentPlaces;

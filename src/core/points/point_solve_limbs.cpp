@@ -118,15 +118,11 @@ PointSolve::allCovered()
                                    clouds_.target.surface.median_spacing);
   const double near = std::max (tuning_.result.found * spacing,
                                 2.0 * clouds_.source.thin.median_spacing);
-  const Coverage coverage = fine_.covered (moved, tightRules(), near, threads_);
-  if (1.0 - std::max (coverage.movedShare(), coverage.samplesShare()) >
-          tuning_.limbs.uncovered ||
-      meanGap (segments(), poses_) > tuning_.result.gap)
-    return false;
-  const std::vector<char> places =
-      coveredPlaces (clouds_.target.thin, moved, near, tuning_.result.facing, threads_);
-  return largestLooseEnd (clouds_, moved.points, places, tuning_.result.border) <
-         tuning_.result.loose;
+  const CloudEnds ends =
+      looseEnds (clouds_, moved, moved, near, tuning_.result, threads_);
+  return ends.unexplained() <= tuning_.limbs.uncovered &&
+         ends.target.largest < tuning_.result.loose &&
+         meanGap (segments(), poses_) <= tuning_.result.gap;
 }
 
 /** One fresh start, kept when it explains more. \return does it explain much more? */

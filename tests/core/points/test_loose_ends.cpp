@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "core/points/loose_ends.h"
+#include "core/points/point_clouds.h"
 #include <gmock/gmock.h>
 #include <pcl_msf/cloud_flow_estimator.h>
 #include <pcl_msf/synthetic/body_clouds.h>
@@ -31,6 +32,22 @@ sheet (float length)
   return points;
 }
 
+/** Bare pieces of a sheet of two pieces, 2 and 1 long, beyond x = 1.5, that lies on
+ * the first one's first part. */
+LooseEnds
+bareHalves (float length)
+{
+  Points pieces = sheet (2.0F);
+  for (auto p : sheet (1.0F))
+    pieces.push_back (p + Eigen::Vector3f (3.0F, 0.0F, 0.0F));
+  const Surface surface = makeSurface (pieces, {}, 1);
+  const Surface other = makeSurface (sheet (length), {}, 1);
+  std::vector<char> covered;
+  for (const auto& p : surface.points)
+    covered.push_back (p.x() < 1.5F);
+  return looseEnds ({surface, surface.points}, covered, {other, other.points}, 1.0);
+}
+
 /** \param moved where the source's end is taken to, beyond x = 1.5 */
 double
 looseEnd (const Points& source, const Eigen::Vector3f& moved)
@@ -46,13 +63,24 @@ looseEnd (const Points& source, const Eigen::Vector3f& moved)
   std::vector<char> covered;
   for (const auto& p : clouds.target.thin.points)
     covered.push_back (!beyond (p));
-  return largestLooseEnd (clouds, samples, covered, 1.0);
+  const Surface& target = clouds.target.thin;
+  return looseEnds (
+             {target, target.points}, covered, {clouds.source.thin, samples}, 1.0)
+      .largest;
 }
 
 TEST (LooseEnds, AreWhatTheSourceLeavesBareThoughItGoesOn)
 {
   EXPECT_NEAR (looseEnd (sheet (2.0F), {0.0F, 0.0F, 0.3F}), 0.25, 0.02);
   EXPECT_EQ (looseEnd (sheet (1.5F), {0.0F, 0.0F, 0.0F}), 0.0) << "it is cut off there";
+}
+
+TEST (LooseEnds, CountWholePiecesOnlyAmongAll)
+{
+  EXPECT_NEAR (bareHalves (2.0F).largest, 0.5 / 3.0, 0.02);
+  EXPECT_NEAR (bareHalves (2.0F).all, 1.5 / 3.0, 0.02);
+  EXPECT_EQ (bareHalves (1.5F).largest, 0.0) << "cut off there";
+  EXPECT_NEAR (bareHalves (1.5F).all, 1.0 / 3.0, 0.02);
 }
 
 TEST (LooseEnds, GapsAreWhereSegmentsPart)
@@ -175,6 +203,25 @@ TEST_F (Bodies, ThatAreTwistedAreNotFound)
   ASSERT_GT (wrong (0.05F), 0.3);
   EXPECT_FALSE (flow.report.converged);
   EXPECT_THAT (flow.report.message, ::testing::HasSubstr ("torn or twisted"));
+}
+
+TEST_F (Bodies, AreFoundThoughBothAreCutOff)
+{
+  draw (BodyKind::Animal, 25.0);
+  // The source has no head and front legs, the target no tail and hind legs.
+  const auto keep = [] (Points& points, bool (*out) (float)) {
+    points.erase (std::remove_if (points.begin(),
+                                  points.end(),
+                                  [out] (const auto& p) { return out (p.x()); }),
+                  points.end());
+  };
+  keep (clouds_.source, [] (float x) { return x > 0.25F; });
+  keep (clouds_.target, [] (float x) { return x < -0.25F; });
+  const CloudFlow flow = CloudFlowEstimator().estimate (clouds_.source, clouds_.target);
+  EXPECT_TRUE (flow.report.converged) << flow.report.message;
+  EXPECT_LT (flow.explained_source, 0.98);
+  EXPECT_LT (flow.explained_target, 0.98);
+  EXPECT_LT (flow.unexplained, 0.02);
 }
 
 TEST_F (Bodies, ThatAreCutOffAreFoundAndConfidenceSortsTheirErrors)

@@ -157,14 +157,14 @@ struct PointResultTuning {
                               ///< more finds less
   double joint_share{0.02};   ///< of the points: a part that has joints; less finds
                               ///< joints of scraps
-  double unexplained{0.02};   ///< of both clouds: something lies elsewhere; more hides
-                              ///< lost limbs
-  double least_source{0.05};  ///< share of the source that must be found; less lets
-                              ///< other bodies pass
-  double border{1.0};         ///< spacings of samples: so near a cut is at its border;
-                              ///< more hides lost limbs
-  double loose{0.02};         ///< share of the target in one piece that may be bare
-                              ///< without a cut in the source: more hides lost limbs
+  double unexplained{0.02};  ///< of both clouds, without a cut: it lies elsewhere; more
+                             ///< hides lost limbs
+  double least_source{0.05}; ///< share of the source that must be found; less lets
+                             ///< other bodies pass
+  double border{1.0};        ///< spacings of samples: so near a cut is at its border;
+                             ///< more hides lost limbs
+  double loose{0.02};        ///< share of the target in one piece that may be bare
+                             ///< without a cut in the source: more hides lost limbs
   double gap{0.2}; ///< radii of a segment between neighbours, mean: more hides
                    ///< torn surfaces
 };
