@@ -123,10 +123,10 @@ looseEnds (const PointClouds& clouds,
   const Surface& all = clouds.target.surface;
   const PlacedSurface source{clouds.source.thin, samples.points};
   const PlacedSurface target{thin, thin.points};
-  const std::vector<char> of_source =
-      coveredPlaces (samples, {all.points, all.normals}, near, tuning.facing, threads);
-  const std::vector<char> of_target =
-      coveredPlaces ({thin.points, thin.normals}, moved, near, tuning.facing, threads);
+  const std::vector<char> of_source = coveredPlaces (
+      samples, {all.points, all.normals, {}}, near, tuning.facing, threads);
+  const std::vector<char> of_target = coveredPlaces (
+      {thin.points, thin.normals, {}}, moved, near, tuning.facing, threads);
   return {looseEnds (source, of_source, target, tuning.border),
           looseEnds (target, of_target, source, tuning.border)};
 }

@@ -109,7 +109,8 @@ PointSolve::conflicting (const std::vector<PointPair>& pairs) const
   return all > 0.0 ? elsewhere / all : 0.0;
 }
 
-/** Is all of one cloud on the other, and no limb where it should not be? */
+/** Is all of one cloud on the other, but for what is cut off, and no limb where it
+ * should not be? */
 bool
 PointSolve::allCovered()
 {
@@ -118,11 +119,15 @@ PointSolve::allCovered()
                                    clouds_.target.surface.median_spacing);
   const double near = std::max (tuning_.result.found * spacing,
                                 2.0 * clouds_.source.thin.median_spacing);
+  if (meanGap (segments(), poses_) > tuning_.result.gap)
+    return false;
+  const Coverage coverage = fine_.covered (moved, tightRules(), near, threads_);
+  if (1.0 - std::max (coverage.movedShare(), coverage.samplesShare()) >
+      tuning_.limbs.uncovered)
+    return false;
   const CloudEnds ends =
       looseEnds (clouds_, moved, moved, near, tuning_.result, threads_);
-  return ends.unexplained() <= tuning_.limbs.uncovered &&
-         ends.target.largest < tuning_.result.loose &&
-         meanGap (segments(), poses_) <= tuning_.result.gap;
+  return ends.target.largest < tuning_.result.loose;
 }
 
 /** One fresh start, kept when it explains more. \return does it explain much more? */

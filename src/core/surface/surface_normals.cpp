@@ -17,7 +17,8 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr double kFlat = 0.01; // of a piece's reach: less volume is noise
+constexpr double kFlat = 0.01;  // of a piece's reach: less volume is noise
+constexpr double kScrap = 0.05; // share of the points: smaller pieces are of a body
 /** Lies on one side of most flat pieces, those along the axes' planes among them. */
 const Eigen::Vector3d kOneSide (0.36, 0.48, 0.80);
 
@@ -144,7 +145,9 @@ turnOutwards (const Points& points,
     facing += area * normals[i].cast<double>();
     all += area;
   }
-  if (std::abs (volume) < kFlat * reach && facing.norm() > 0.5 * all)
+  const bool scrap =
+      static_cast<double> (piece.size()) < kScrap * static_cast<double> (points.size());
+  if (!scrap && std::abs (volume) < kFlat * reach && facing.norm() > 0.5 * all)
     volume = facing.dot (kOneSide);
   if (volume < 0.0)
     for (const int i : piece)
