@@ -9,6 +9,7 @@
 #include <pcl_msf/synthetic/body_clouds.h>
 
 #include <cmath>
+#include <sstream>
 
 namespace {
 
@@ -88,12 +89,61 @@ TEST_F (EvaluateCloudsTool, ScoresFoldersBesidePclsOwn)
   EXPECT_THAT (all.out, Not (HasSubstr ("icp")));
 }
 
+TEST_F (EvaluateCloudsTool, ShardsMergeToWhatOneRunWrites)
+{
+  for (const char* name : {"a", "b", "c"}) {
+    synthetic::BodyOptions options;
+    options.points = 500;
+    options.seed = static_cast<unsigned> (name[0]);
+    io::makeFolder (folder_ (std::string ("cases/") + name));
+    synthetic::writeBody (synthesizeBody (options),
+                          folder_ (std::string ("cases/") + name));
+  }
+  const std::string command = "clouds " + folder_ ("cases") + " --methods zero,gicp";
+  ASSERT_EQ (run (command + " --csv " + folder_ ("all.csv")).status, 0);
+  for (const char* shard : {"1", "2"}) {
+    const ToolRun r =
+        run (command + " --shard " + shard + "/2 --csv " + folder_ ("part_%.csv"));
+    ASSERT_EQ (r.status, 0) << r.err;
+  }
+  EXPECT_THAT (readFile (folder_ ("part_2.csv")), HasSubstr ("\nb,gicp,"));
+  EXPECT_THAT (readFile (folder_ ("part_2.csv")), Not (HasSubstr ("\nc,gicp,")));
+  const std::string merge =
+      "--merge --csv " + folder_ ("merged.csv") + " --json " + folder_ ("merged.json ");
+  const ToolRun merged =
+      run (merge + folder_ ("part_2.csv") + " " + folder_ ("part_1.csv"));
+  ASSERT_EQ (merged.status, 0) << merged.err;
+  const auto withoutTimes = [this] (const char* name) {
+    std::string text;
+    std::istringstream lines (readFile (folder_ (name)));
+    for (std::string line; std::getline (lines, line);)
+      if (line.front() != '#') // what was run, in how many parts
+        text += line.substr (0, line.rfind (',', line.rfind (',') - 1)) +
+                line.substr (line.rfind (',')) + "\n";
+    return text;
+  };
+  EXPECT_EQ (withoutTimes ("merged.csv"), withoutTimes ("all.csv"));
+  EXPECT_THAT (readFile (folder_ ("merged.json")), HasSubstr ("\"cases\": 3"));
+  EXPECT_THAT (readFile (folder_ ("merged.json")), HasSubstr ("\"within_10_mm\""));
+  const ToolRun part = run (merge + folder_ ("part_1.csv"));
+  EXPECT_EQ (part.status, 1);
+  EXPECT_THAT (part.err, HasSubstr ("missing: case 2 of 3"));
+  expectError (merge + folder_ ("part_1.csv") + " " + folder_ ("part_1.csv"),
+               "give each shard once");
+  ASSERT_EQ (run ("clouds " + folder_ ("cases") + " --methods zero --csv " +
+                  folder_ ("zero.csv"))
+                 .status,
+             0);
+  expectError (merge + folder_ ("part_1.csv") + " " + folder_ ("zero.csv"),
+               "different runs");
+}
+
 TEST_F (EvaluateCloudsTool, SaysWhatItCannotTake)
 {
   expectError ("clouds " + folder_ ("."), "no folder with source.ply");
   expectError ("clouds", "needs a path");
   expectError ("bodies --methods dis", "none for clouds");
-  expectError ("bodies --json x.json", "--csv");
+  expectError ("bodies --ablation", "--ablation");
   writeFile (folder_ ("mine.csv"), "something else\n");
   expectError ("bodies --csv " + folder_ ("mine.csv"), "give another name");
   EXPECT_EQ (readFile (folder_ ("mine.csv")), "something else\n");

@@ -2,11 +2,11 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "cloud_run.h"
 
+#include "cloud_table.h"
 #include "common/interruption.h"
-#include "common/table_text.h"
 #include "common/tool_main.h"
-#include "core/base/number_text.h"
 #include "core/base/order_statistics.h"
+#include "core/base/tuning/tuning.h"
 #include "run_progress.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/text_files.h>
@@ -14,101 +14,61 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
-#include <map>
 
 namespace pcl_msf::tool {
 
 namespace {
 
 constexpr double kClose = 0.01; // metres
-constexpr const char* kHead =
-    "case,method,points,mean,median,p95,within_10_mm,converged,seconds\n";
-
-struct CloudRow {
-  std::string name;
-  std::string method;
-  CloudScore score;
-  bool converged;
-  double seconds;
-};
-
-std::string
-csvText (const std::vector<CloudRow>& rows)
-{
-  std::string text = kHead;
-  for (const CloudRow& row : rows)
-    text += row.name + "," + row.method + "," + std::to_string (row.score.points) +
-            "," + fixedText (row.score.mean, 6) + "," +
-            fixedText (row.score.median, 6) + "," + fixedText (row.score.p95, 6) + "," +
-            fixedText (row.score.within, 4) + "," + (row.converged ? "1" : "0") + "," +
-            fixedText (row.seconds, 3) + "\n";
-  return text;
-}
-
-std::string
-tableText (const std::vector<CloudRow>& rows)
-{
-  TableText table ({"case",
-                    "method",
-                    "mean mm",
-                    "median mm",
-                    "95 % mm",
-                    "< 10 mm %",
-                    "converged",
-                    "s"});
-  for (const CloudRow& row : rows)
-    table.add ({row.name,
-                row.method,
-                cell (1e3 * row.score.mean, 2),
-                cell (1e3 * row.score.median, 2),
-                cell (1e3 * row.score.p95, 2),
-                cell (100.0 * row.score.within, 1),
-                row.converged ? "yes" : "no",
-                cell (row.seconds, 2)});
-  return table.text();
-}
-
-/** Means over the cases that all methods have answered. */
-std::string
-summaryText (const std::vector<CloudRow>& rows, const std::vector<std::string>& methods)
-{
-  std::map<std::string, std::size_t> answers;
-  for (const CloudRow& row : rows)
-    ++answers[row.name];
-  TableText table ({"method", "cases", "mean mm", "< 10 mm %", "converged", "s"});
-  for (const std::string& method : methods) {
-    CloudScore sum{};
-    int cases = 0;
-    int converged = 0;
-    double seconds = 0.0;
-    for (const CloudRow& row : rows)
-      if (row.method == method && answers[row.name] == methods.size()) {
-        sum.mean += row.score.mean;
-        sum.within += row.score.within;
-        seconds += row.seconds;
-        converged += row.converged ? 1 : 0;
-        ++cases;
-      }
-    const double n = cases > 0 ? cases : std::nan ("");
-    table.add ({method,
-                std::to_string (cases),
-                cell (1e3 * sum.mean / n, 2),
-                cell (100.0 * sum.within / n, 1),
-                std::to_string (converged),
-                cell (seconds / n, 2)});
-  }
-  return table.text();
-}
-
 /** Another program's file is not to be written over. */
 void
 requireOwn (const std::string& csv)
 {
-  std::ifstream stream (csv, std::ios::binary);
-  std::string line;
-  if (stream && std::getline (stream, line) && line + "\n" != kHead)
+  if (std::ifstream (csv) && !isCloudCsv (csv))
     throw UsageError ("--csv: '" + csv +
                       "' is there and no table of clouds; give another name");
+}
+
+std::string
+settingsOf (const EvaluateOptions& options)
+{
+  std::string text = options.dataset;
+  if (options.dataset == kBodies)
+    text += " seed=" + std::to_string (options.generated.seed) +
+            " noise_seeds=" + std::to_string (options.generated.noise_seeds);
+  for (const auto& [name, value] : changedTuning())
+    text += " " + name + "=" + value;
+  return text;
+}
+
+/** A case by all methods. */
+void
+score (const EvaluateOptions& options,
+       const std::string& name,
+       int number,
+       CloudTable& table)
+{
+  const CloudCase data = loadCloudCase (options, name);
+  for (const std::string& method : options.methods) {
+    throwIfInterrupted();
+    const CloudEstimate estimate = runCloudMethod (method, data, options.threads);
+    table.rows.push_back ({name,
+                           method,
+                           scoreClouds (data, estimate.warped),
+                           estimate.converged,
+                           estimate.seconds,
+                           number});
+  }
+}
+
+void
+write (const CloudTable& table, const EvaluateOptions& options)
+{
+  if (!options.csv.empty())
+    io::writeText (options.csv, csvText (table));
+  if (!options.json.empty())
+    io::writeText (options.json, jsonText (table));
+  std::fputs (tablesText (table).c_str(), stdout);
 }
 
 } // namespace
@@ -143,34 +103,43 @@ evaluateClouds (const EvaluateOptions& options)
 {
   requireOwn (options.csv);
   const std::vector<std::string> names = listCloudCases (options);
-  std::vector<CloudRow> rows;
-  RunProgress progress (names.size(), !options.quiet);
+  const auto cases = static_cast<int> (names.size());
+  CloudTable table{settingsOf (options), options.methods, cases, options.shard, {}};
+  std::size_t todo = 0;
+  for (int k = 0; k < cases; ++k)
+    todo += options.shard.has (k) ? 1 : 0;
+  RunProgress progress (todo, !options.quiet);
   bool failed = false;
-  for (const std::string& name : names) {
+  for (int k = 0; k < cases; ++k) {
+    if (!options.shard.has (k))
+      continue;
     try {
-      const CloudCase data = loadCloudCase (options, name);
-      for (const std::string& method : options.methods) {
-        throwIfInterrupted();
-        const CloudEstimate estimate = runCloudMethod (method, data, options.threads);
-        rows.push_back ({name,
-                         method,
-                         scoreClouds (data, estimate.warped),
-                         estimate.converged,
-                         estimate.seconds});
-      }
+      score (options, names[k], k, table);
     }
     catch (const InvalidInput& error) {
       failed = true;
       progress.clear();
-      complain ("pcl_msf_evaluate", name + ": " + error.what());
+      complain ("pcl_msf_evaluate", names[k] + ": " + error.what());
     }
-    progress.step (name);
+    progress.step (names[k]);
   }
-  if (!options.csv.empty())
-    io::writeText (options.csv, csvText (rows));
-  std::fputs ((tableText (rows) + "\n" + summaryText (rows, options.methods)).c_str(),
-              stdout);
+  write (table, options);
   return failed ? 1 : 0;
+}
+
+int
+mergeCloudShards (const EvaluateOptions& options)
+{
+  requireOwn (options.csv);
+  const CloudTable table = mergeClouds (options.merged);
+  write (table, options);
+  const std::string missing = missingCases (table);
+  if (missing.empty())
+    return 0;
+  complain ("pcl_msf_evaluate",
+            "missing: case " + missing + " of " + std::to_string (table.cases) +
+                "; run their shards again");
+  return 1;
 }
 
 } // namespace pcl_msf::tool

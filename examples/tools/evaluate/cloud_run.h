@@ -24,10 +24,15 @@ struct CloudScore {
 CloudScore
 scoreClouds (const CloudCase& data, const std::vector<Eigen::Vector3f>& warped);
 
-/** \brief Scores the methods on all cases and prints a table; the CSV as the options
- * say. \return exit status: 1 when something failed, which stderr names
+/** \brief Scores the methods on the shard's cases and prints a table; CSV and JSON as
+ * the options say. \return exit status: 1 when something failed, which stderr names
  * \throws UsageError, IoError, Interrupted */
 int
 evaluateClouds (const EvaluateOptions& options);
+
+/** \brief Joins the CSVs of shards as the options say. \return exit status: 1 when
+ * cases are missing, which stderr tells \throws UsageError, IoError */
+int
+mergeCloudShards (const EvaluateOptions& options);
 
 } // namespace pcl_msf::tool

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 // Scores our method and baselines on data sets, recorded or generated.
 #include "cloud_run.h"
+#include "cloud_table.h"
 #include "common/command_line.h"
 #include "common/input_files.h"
 #include "common/tool_main.h"
@@ -91,11 +92,12 @@ merge (const EvaluateOptions& options)
 int
 run (const EvaluateOptions& options)
 {
-  if (isOfClouds (options))
-    return evaluateClouds (options);
   checkOutputs (options);
   if (options.merge)
-    return merge (options);
+    return isCloudCsv (options.merged.front()) ? mergeCloudShards (options)
+                                               : merge (options);
+  if (isOfClouds (options))
+    return evaluateClouds (options);
   const RunOutcome outcome = evaluateAll (options);
   report (outcome.results, options);
   if (outcome.failed > 0)

@@ -78,7 +78,7 @@ expandMethods (EvaluateOptions& options)
     makeMethod (method, options.threads);
 }
 
-/** Clouds without a grid have methods of their own, and a table alone. */
+/** Clouds without a grid have methods of their own. */
 void
 takeCloudMethods (EvaluateOptions& options)
 {
@@ -92,9 +92,9 @@ takeCloudMethods (EvaluateOptions& options)
       throw UsageError ("--methods: '" + method +
                         "' is none for clouds without a grid; they are zero, icp, gicp "
                         "and msf");
-  if (!options.json.empty() || options.ablation || options.shard.count > 1)
-    throw UsageError (options.dataset + ": --json, --ablation and --shard are not for "
-                                        "clouds without a grid; there is --csv");
+  if (options.ablation)
+    throw UsageError (options.dataset +
+                      ": --ablation is not for clouds without a grid; leave it away");
 }
 
 void
