@@ -46,11 +46,10 @@ namespace pcl_msf {
  *
  * <b>Clouds without a grid</b> (laser scans, merged or filtered clouds, vertices) are
  * registered by nearest neighbours, see setCorrespondence and CloudFlowEstimator: any
- * unit, any z, one target. Colours or intensities that vary over both clouds tell what
- * slides within its own surface. Parts take the place of segments, getJoints tells how
- * they turn against each other; images of the scene flow are as wide as the cloud,
- * optical flow is NaN. setIndices leaves out points exactly there. What is known is
- * told by setKnownCorrespondences and setCloudConstraints.
+ * unit, any z, one target. Brightness that varies over both tells what slides within
+ * its surface. Parts are the segments, getJoints tells how they turn; images of the
+ * scene flow are as wide as the cloud, optical flow is NaN. setIndices leaves out
+ * points exactly there. setKnownCorrespondences, setCloudConstraints: what is known.
  *
  * <b>Several targets.</b> addInputTarget and setInputTargets make a window of frames in
  * the order of time, the source being the one that setReferenceFrame says, the first by

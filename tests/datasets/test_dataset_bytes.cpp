@@ -7,6 +7,7 @@
 #include "io/datasets/flying_things_files.h"
 #include "io/datasets/kitti_files.h"
 #include "io/datasets/virtual_kitti_files.h"
+#include "support/literal_bytes.h"
 #include "support/temporary_folder.h"
 
 #include <cmath>
@@ -18,13 +19,6 @@ namespace {
 
 using namespace pcl_msf;
 using namespace pcl_msf::testing;
-
-template <std::size_t N>
-std::string
-bytes (const char (&literal)[N])
-{
-  return std::string (literal, N - 1);
-}
 
 /** A 16-bit PNG. \param head width, height, bits, colour type, three zeros, checksum
  * \param data of the stored block with lengths and checksums; samples are in network

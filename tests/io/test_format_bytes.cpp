@@ -5,6 +5,7 @@
 #include <opencv2/core.hpp>
 
 #include "io/datasets/timed_lists.h"
+#include "support/literal_bytes.h"
 #include "support/temporary_folder.h"
 #include <pcl_msf/io/cloud_files.h>
 #include <pcl_msf/io/float_files.h>
@@ -21,14 +22,6 @@ namespace {
 
 using namespace pcl_msf;
 using namespace pcl_msf::testing;
-
-/** The bytes of a literal, zeros in it included. */
-template <std::size_t N>
-std::string
-bytes (const char (&literal)[N])
-{
-  return std::string (literal, N - 1);
-}
 
 class FormatBytes : public ::testing::Test {
 protected:
