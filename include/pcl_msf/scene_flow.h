@@ -66,7 +66,7 @@ struct SegmentPair {
  * and what the motion model leaves, or of what the residuals of the solved frames show
  * when that is more, never above a tenth of the depth. A measurement among others that
  * all disagree is no surface. */
-enum Visibility : unsigned char {
+enum class Visibility : unsigned char {
   NoDepth = 0,    ///< no measurement in the reference
   OutOfView = 64, ///< leaves the image
   Occluded = 128, ///< behind the current frame's surface
@@ -74,6 +74,36 @@ enum Visibility : unsigned char {
                  ///< current frame has no depth, no surface, or only a farther one
   Visible = 255  ///< at the current frame's surface: seen in both frames
 };
+
+/** \brief What a pixel of a visibility image holds, for OpenCV's functions:
+ * `flow.visibility == pixelValue (Visibility::Visible)` is a mask. */
+constexpr unsigned char
+pixelValue (Visibility visibility)
+{
+  return static_cast<unsigned char> (visibility);
+}
+
+/** \brief A pixel of a visibility image, a number, against a Visibility. */
+constexpr bool
+operator== (int pixel, Visibility visibility)
+{
+  return pixel == pixelValue (visibility);
+}
+constexpr bool
+operator== (Visibility visibility, int pixel)
+{
+  return pixel == pixelValue (visibility);
+}
+constexpr bool
+operator!= (int pixel, Visibility visibility)
+{
+  return pixel != pixelValue (visibility);
+}
+constexpr bool
+operator!= (Visibility visibility, int pixel)
+{
+  return pixel != pixelValue (visibility);
+}
 
 /** \brief Why the optimization ended. */
 enum class StopReason {

@@ -106,7 +106,7 @@ Scene
 occlusionScene (const ResultClouds& result)
 {
   struct Kind {
-    int code;
+    Visibility code;
     const char* name;
     cv::Vec3b color;
   };
@@ -118,11 +118,11 @@ occlusionScene (const ResultClouds& result)
   const SceneFlow& flow = result.scene_flow;
   cv::Mat index (flow.visibility.size(), CV_32SC1, cv::Scalar (-1));
   const long known =
-      cv::countNonZero (flow.visibility != static_cast<int> (Visibility::NoDepth));
+      cv::countNonZero (flow.visibility != pixelValue (Visibility::NoDepth));
   Scene scene;
   scene.title = "occlusion";
   for (std::size_t i = 0; i < kinds.size(); ++i) {
-    const cv::Mat here = flow.visibility == kinds[i].code;
+    const cv::Mat here = flow.visibility == pixelValue (kinds[i].code);
     index.setTo (static_cast<int> (i), here);
     const long count = cv::countNonZero (here);
     if (count > 0)

@@ -105,7 +105,7 @@ whereVisible (const cv::Mat& values, const cv::Mat& visibility)
 {
   cv::Mat result = values.clone();
   result.setTo (cv::Scalar (std::numeric_limits<float>::quiet_NaN()),
-                visibility != static_cast<int> (Visibility::Visible));
+                visibility != pixelValue (Visibility::Visible));
   return result;
 }
 

@@ -112,7 +112,7 @@ endPointError (const SceneFlow& scene, const std::string& folder, int frame)
     for (int x = 0; x < truth.cols; ++x) {
       const cv::Vec2f off =
           scene.flow.at<cv::Vec2f> (y, x) - truth.at<cv::Vec2f> (y, x);
-      if (scene.visibility.at<unsigned char> (y, x) != Visible ||
+      if (scene.visibility.at<unsigned char> (y, x) != Visibility::Visible ||
           !(std::hypot (off[0], off[1]) < 1e6f))
         continue;
       sum += std::hypot (off[0], off[1]);

@@ -27,7 +27,8 @@ someFlow ()
   flow.displacement = cv::Mat (kSize, CV_32FC3, cv::Scalar (0.05, 0, 0));
   flow.labels = cv::Mat (kSize, CV_32SC1, cv::Scalar (0));
   flow.labels.colRange (16, 32).setTo (1);
-  flow.visibility = cv::Mat (kSize, CV_8UC1, cv::Scalar (Visibility::Visible));
+  flow.visibility =
+      cv::Mat (kSize, CV_8UC1, cv::Scalar (pixelValue (Visibility::Visible)));
   for (int row = 0; row < kSize.height; ++row)
     for (int col = 0; col < kSize.width; ++col) {
       const Eigen::Vector3f p =
@@ -36,8 +37,8 @@ someFlow ()
     }
   flow.points.at<cv::Vec3f> (0, 0) = cv::Vec3f::all (kNan);
   flow.labels.at<int> (0, 0) = -1;
-  flow.visibility.at<unsigned char> (0, 0) = Visibility::NoDepth;
-  flow.visibility.at<unsigned char> (1, 1) = Visibility::Occluded;
+  flow.visibility.at<unsigned char> (0, 0) = pixelValue (Visibility::NoDepth);
+  flow.visibility.at<unsigned char> (1, 1) = pixelValue (Visibility::Occluded);
   flow.displacement.at<cv::Vec3f> (2, 2) = cv::Vec3f::all (kNan);
   return flow;
 }

@@ -61,7 +61,8 @@ protected:
     flow.points.create (size, CV_32FC3);
     flow.displacement = cv::Mat (size, CV_32FC3, motion);
     flow.labels = cv::Mat (size, CV_32SC1, cv::Scalar (0));
-    flow.visibility = cv::Mat (size, CV_8UC1, cv::Scalar (Visibility::Visible));
+    flow.visibility =
+        cv::Mat (size, CV_8UC1, cv::Scalar (pixelValue (Visibility::Visible)));
     for (int row = 0; row < size.height; ++row)
       for (int col = 0; col < size.width; ++col) {
         const Eigen::Vector3f p =

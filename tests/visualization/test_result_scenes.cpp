@@ -31,8 +31,9 @@ someResult ()
   flow.flow = cv::Mat (kSize, CV_32FC2, cv::Scalar::all (0));
   flow.labels = cv::Mat (kSize, CV_32SC1, cv::Scalar (0));
   flow.labels.colRange (20, 40).setTo (1);
-  flow.visibility = cv::Mat (kSize, CV_8UC1, cv::Scalar (Visibility::Visible));
-  flow.visibility.colRange (20, 30).setTo (Visibility::Occluded);
+  flow.visibility =
+      cv::Mat (kSize, CV_8UC1, cv::Scalar (pixelValue (Visibility::Visible)));
+  flow.visibility.colRange (20, 30).setTo (pixelValue (Visibility::Occluded));
   for (int row = 0; row < kSize.height; ++row)
     for (int col = 0; col < kSize.width; ++col)
       flow.points.at<cv::Vec3f> (row, col) = {

@@ -166,7 +166,7 @@ OwnMethod::run (const PairData& pair) const
   result.seconds.result = flow.report.result_seconds;
   result.flow = flow.flow;
   result.displacement = flow.displacement;
-  result.visible = flow.visibility == static_cast<int> (Visible);
+  result.visible = flow.visibility == pixelValue (Visibility::Visible);
   result.dominant = flow.dominant_motion;
   return result;
 }

@@ -36,16 +36,14 @@ struct Points {
 /** \brief What is frozen between linearizations, per point. */
 struct Correspondences {
   float* plane_offset;  ///< n . p_corr, metres
-  std::uint8_t* active; ///< bit 0: brightness, bit 1: ICP
+  std::uint8_t* active; ///< sums of the bits below
 };
 
-enum ActiveBits : std::uint8_t {
-  kBrightness = 1,
-  kIcp = 2,
-  kOccluded = 4,
-  kOutside = 8,
-  kUnknown = 16 ///< the frame has no depth there
-};
+constexpr std::uint8_t kBrightness = 1;
+constexpr std::uint8_t kIcp = 2;
+constexpr std::uint8_t kOccluded = 4;
+constexpr std::uint8_t kOutside = 8;
+constexpr std::uint8_t kUnknown = 16; ///< the frame has no depth there
 
 /** \brief A segment's motion: q = R p + t, and o = R c + t for its centroid c. */
 struct Motion {

@@ -141,7 +141,7 @@ public:
     return frozen_[segment];
   }
 
-  /** \brief Bits of kernel::ActiveBits per point. */
+  /** \brief Sums of kernel's bits (kBrightness, ...) per point. */
   const std::vector<std::uint8_t>&
   active () const
   {

@@ -69,7 +69,8 @@ prepareImages (const cv::Mat& source, SceneFlow& flow)
   flow.labels = cv::Mat (source.size(), CV_32SC1, cv::Scalar (-1));
   flow.displacement = cv::Mat (source.size(), CV_32FC3, cv::Scalar::all (kNone));
   flow.flow = cv::Mat (source.size(), CV_32FC2, cv::Scalar::all (kNone));
-  flow.visibility = cv::Mat (source.size(), CV_8UC1, cv::Scalar (Visibility::NoDepth));
+  flow.visibility =
+      cv::Mat (source.size(), CV_8UC1, cv::Scalar (pixelValue (Visibility::NoDepth)));
   flow.flow_deviation = cv::Mat (source.size(), CV_32FC1, cv::Scalar::all (kNone));
   flow.displacement_deviation = flow.flow_deviation.clone();
 }
@@ -85,7 +86,7 @@ fillPoint (const CloudFlow& found, std::size_t from, std::size_t to, SceneFlow& 
   const int label = (found.segment.empty() ? found.part : found.segment)[from];
   flow.labels.ptr<int> (0)[to] = label;
   flow.visibility.ptr<unsigned char> (0)[to] =
-      seen ? Visibility::Visible : Visibility::Unknown;
+      pixelValue (seen ? Visibility::Visible : Visibility::Unknown);
   if (label >= 0)
     flow.segments[label].visible_points += seen ? 1 : 0;
 }

@@ -222,19 +222,19 @@ visibilityOf (const kernel::Image& image,
               int pixel)
 {
   if (!landing.inside)
-    return OutOfView;
+    return Visibility::OutOfView;
   if (!(landing.shown > 0.0f))
-    return Unknown;
+    return Visibility::Unknown;
   const float within = std::min (tolerance, tuning.most_share * landing.expected);
   const float behind = landing.shown - landing.expected;
   if (behind > within)
-    return Occluded;
+    return Visibility::Occluded;
   if (behind < -within)
-    return Unknown;
+    return Visibility::Unknown;
   return liesOnSurface (
              image, surroundings, landing, within, tuning.surface, points, pixel)
-             ? Visible
-             : Unknown;
+             ? Visibility::Visible
+             : Visibility::Unknown;
 }
 
 } // namespace
@@ -247,7 +247,8 @@ fillVisibility (const DataTerm& data,
 {
   const SegmentPixels& p = data.pixels();
   const kernel::Image image = data.image();
-  result.visibility = cv::Mat (result.labels.size(), CV_8UC1, cv::Scalar (NoDepth));
+  result.visibility = cv::Mat (
+      result.labels.size(), CV_8UC1, cv::Scalar (pixelValue (Visibility::NoDepth)));
   const Landings landings (data, tuning, result);
   const float wider = widening (landings, p, tuning);
   const Surroundings surroundings (image);
@@ -263,9 +264,9 @@ fillVisibility (const DataTerm& data,
                                                     tuning,
                                                     result.points,
                                                     p.pixel[i])
-                                    : Unknown;
-      result.visibility.ptr<unsigned char>()[p.pixel[i]] = seen;
-      segment.visible_points += seen == Visible ? 1 : 0;
+                                    : Visibility::Unknown;
+      result.visibility.ptr<unsigned char>()[p.pixel[i]] = pixelValue (seen);
+      segment.visible_points += seen == Visibility::Visible ? 1 : 0;
     }
   });
 }

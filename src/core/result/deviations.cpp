@@ -229,7 +229,7 @@ public:
       const int width = result_.labels.cols;
       step = differenceAround (result_, {pixel % width, pixel / width}, tuning_);
     }
-    const bool seen = result_.visibility.ptr()[pixel] == Visible;
+    const bool seen = result_.visibility.ptr()[pixel] == Visibility::Visible;
     const auto across =
         static_cast<float> (seen ? tuning_.across : tuning_.across_unseen);
     const float side = pixel_ * z;

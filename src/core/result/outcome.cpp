@@ -49,7 +49,8 @@ clearMotion (SceneFlow& flow)
   const auto unknown = cv::Scalar::all (std::numeric_limits<double>::quiet_NaN());
   flow.displacement.setTo (unknown);
   flow.flow.setTo (unknown);
-  flow.visibility.setTo (Unknown, flow.visibility != static_cast<int> (NoDepth));
+  flow.visibility.setTo (pixelValue (Visibility::Unknown),
+                         flow.visibility != pixelValue (Visibility::NoDepth));
   for (SegmentMotion& segment : flow.segments) {
     segment.status = MotionStatus::Undetermined;
     segment.visible_points = 0;

@@ -43,7 +43,7 @@ float
 found (const cv::Mat& intensity, const SceneFlow& flow, int u, int v)
 {
   const cv::Vec2f& way = flow.flow.at<cv::Vec2f> (v, u);
-  if (flow.visibility.at<unsigned char> (v, u) != Visible || !isKnown (way))
+  if (flow.visibility.at<unsigned char> (v, u) != Visibility::Visible || !isKnown (way))
     return kNone;
   return sampleAt (
       intensity, static_cast<float> (u) + way[0], static_cast<float> (v) + way[1]);
@@ -117,18 +117,18 @@ measureOverlap (const RgbdFrame& current, const SceneFlow& flow)
     for (int u = 0; u < flow.flow.cols; ++u) {
       const auto seen = flow.visibility.at<unsigned char> (v, u);
       const cv::Vec2f& way = flow.flow.at<cv::Vec2f> (v, u);
-      overlap.points += seen != NoDepth ? 1 : 0;
+      overlap.points += seen != Visibility::NoDepth ? 1 : 0;
       if (!isKnown (way))
         continue;
       ++overlap.moved;
-      if (seen == OutOfView)
+      if (seen == Visibility::OutOfView)
         continue;
       const int column =
           std::clamp (cvRound (static_cast<float> (u) + way[0]), 0, depth.cols - 1);
       const int row =
           std::clamp (cvRound (static_cast<float> (v) + way[1]), 0, depth.rows - 1);
       overlap.landed += depth.at<float> (row, column) > 0.0f ? 1 : 0;
-      overlap.found += seen == Visible ? 1 : 0;
+      overlap.found += seen == Visibility::Visible ? 1 : 0;
     }
   return overlap;
 }

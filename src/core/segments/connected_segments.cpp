@@ -75,7 +75,8 @@ private:
 };
 
 /** Bits of a pixel: is it connected with the next one of its row, of its column? */
-enum Connection : unsigned char { kRight = 1, kDown = 2 };
+constexpr unsigned char kRight = 1;
+constexpr unsigned char kDown = 2;
 
 cv::Mat
 findConnections (const cv::Mat& labels,

@@ -115,7 +115,7 @@ double
 SceneFlowTracker::visibleShare() const
 {
   const cv::Mat& visibility = sceneFlow().visibility;
-  const double seen = cv::countNonZero (visibility == static_cast<int> (Visible));
+  const double seen = cv::countNonZero (visibility == pixelValue (Visibility::Visible));
   return seen / std::max (1, cv::countNonZero (visibility));
 }
 

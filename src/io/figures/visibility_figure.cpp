@@ -15,7 +15,7 @@ constexpr int kLegendHeight = 22;
 
 /** How one kind of visibility is shown. */
 struct Kind {
-  unsigned char code;
+  Visibility code;
   const char* name;
   cv::Vec3b color;
 };

@@ -156,7 +156,7 @@ writeWarpedCloud (const std::string& path,
 cv::Mat
 visibilityMask (const cv::Mat& visibility)
 {
-  return visibility == static_cast<int> (Visibility::Visible);
+  return visibility == pixelValue (Visibility::Visible);
 }
 
 } // namespace pcl_msf::io

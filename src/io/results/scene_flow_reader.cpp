@@ -90,7 +90,7 @@ labelOf (std::uint32_t label, const std::string& path)
   return static_cast<int> (label);
 }
 
-unsigned char
+Visibility
 visibilityOf (const cv::Vec3f& position, unsigned char visible)
 {
   if (!(position[2] > 0.0F))
@@ -152,7 +152,7 @@ readPoints (const std::string& path)
     flow.labels.at<int> (at) =
         labelOf (valueAt<std::uint32_t> (point + fields.label), path);
     flow.visibility.at<unsigned char> (at) =
-        visibilityOf (position, point[fields.visible]);
+        pixelValue (visibilityOf (position, point[fields.visible]));
   }
   flow.flow_deviation = imageOf (blob, fields.flow_deviation);
   flow.displacement_deviation = imageOf (blob, fields.displacement_deviation);

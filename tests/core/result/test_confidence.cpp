@@ -43,7 +43,8 @@ public:
     scene_.labels = cv::Mat (1, 3, CV_32SC1, cv::Scalar (0));
     scene_.displacement.create (1, 3, CV_32FC3);
     scene_.flow = cv::Mat (1, 3, CV_32FC2, cv::Scalar (1, 2));
-    scene_.visibility = cv::Mat (1, 3, CV_8UC1, cv::Scalar (Visible));
+    scene_.visibility =
+        cv::Mat (1, 3, CV_8UC1, cv::Scalar (pixelValue (Visibility::Visible)));
     for (int i = 0; i < 3; ++i) {
       pixels_.pixel.push_back (i);
       pixels_.x.push_back (points[i].x());
@@ -130,7 +131,7 @@ TEST (Confidence, StepsInMotionAreDoubtfulMostWhereNothingIsSeen)
   few.scene_.segments.resize (2); // the second has another motion
   few.scene_.labels.at<int> (0, 2) = 1;
   few.scene_.flow.at<cv::Vec2f> (0, 2) = {6.0f, 2.0f}; // 5 px from the others
-  few.scene_.visibility.at<unsigned char> (0, 2) = Occluded;
+  few.scene_.visibility.at<unsigned char> (0, 2) = pixelValue (Visibility::Occluded);
   const SceneFlow& scene = few.filled (1e-18 * Matrix6::Identity(), 0.0);
   EXPECT_LT (scene.flow_deviation.at<float> (0, 0), 0.01f);
   // One of two neighbours differs; the only one does.

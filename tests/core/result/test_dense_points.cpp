@@ -9,6 +9,7 @@
 #include <pcl_msf/rgbd_frame.h>
 
 #include <random>
+#include <type_traits>
 
 namespace {
 
@@ -177,17 +178,32 @@ protected:
   int
   count (Visibility kind) const
   {
-    return cv::countNonZero (scene_.visibility == static_cast<int> (kind));
+    return cv::countNonZero (scene_.visibility == pixelValue (kind));
   }
 
   cv::Mat shown_{kHeight, kWidth, CV_32FC1, cv::Scalar (kDepth)};
   SceneFlow scene_;
 };
 
+TEST (Visibilities, ArePixelsOfAnImage)
+{
+  const cv::Mat image =
+      (cv::Mat_<unsigned char> (1, 3) << 0, 255, pixelValue (Visibility::Occluded));
+  EXPECT_TRUE (image.data[0] == Visibility::NoDepth);
+  EXPECT_TRUE (Visibility::Visible == image.data[1]);
+  EXPECT_TRUE (image.data[1] != Visibility::Occluded);
+  EXPECT_TRUE (Visibility::Visible != image.data[2]);
+  EXPECT_FALSE (image.data[2] != Visibility::Occluded);
+  EXPECT_FALSE (image.data[2] == Visibility::Unknown);
+  EXPECT_EQ (cv::countNonZero (image == pixelValue (Visibility::Visible)), 1);
+  static_assert (pixelValue (Visibility::OutOfView) == 64, "what files hold");
+  static_assert (!std::is_convertible_v<Visibility, int>, "no number by itself");
+}
+
 TEST_F (WallAtRest, IsVisible)
 {
   look();
-  EXPECT_EQ (count (Visible), kWidth * kHeight);
+  EXPECT_EQ (count (Visibility::Visible), kWidth * kHeight);
   EXPECT_EQ (scene_.segments[0].visible_points, kWidth * kHeight);
 }
 
@@ -195,8 +211,8 @@ TEST_F (WallAtRest, BehindAnotherSurfaceIsOccluded)
 {
   shown_ (cv::Rect (10, 10, 20, 20)) = 1.9f;
   look();
-  EXPECT_EQ (at (20, 20), Occluded);
-  EXPECT_EQ (count (Occluded), 400);
+  EXPECT_EQ (at (20, 20), Visibility::Occluded);
+  EXPECT_EQ (count (Visibility::Occluded), 400);
   EXPECT_EQ (scene_.segments[0].visible_points, kWidth * kHeight - 400);
 }
 
@@ -204,8 +220,8 @@ TEST_F (WallAtRest, BeforeAFartherSurfaceIsNotVisible)
 {
   shown_ (cv::Rect (10, 10, 20, 20)) = 2.1f; // what was there has gone
   look();
-  EXPECT_EQ (at (20, 20), Unknown);
-  EXPECT_EQ (count (Visible), kWidth * kHeight - 400);
+  EXPECT_EQ (at (20, 20), Visibility::Unknown);
+  EXPECT_EQ (count (Visibility::Visible), kWidth * kHeight - 400);
 }
 
 TEST_F (WallAtRest, OneMeasurementAmongOthersIsNoSurface)
@@ -213,7 +229,7 @@ TEST_F (WallAtRest, OneMeasurementAmongOthersIsNoSurface)
   shown_ (cv::Rect (10, 10, 20, 20)) = 3.0f;
   shown_.at<float> (20, 20) = kDepth;
   look();
-  EXPECT_EQ (at (20, 20), Unknown);
+  EXPECT_EQ (at (20, 20), Visibility::Unknown);
 }
 
 TEST_F (WallAtRest, OneMeasurementAmongNoneIsSeen)
@@ -221,18 +237,18 @@ TEST_F (WallAtRest, OneMeasurementAmongNoneIsSeen)
   shown_ (cv::Rect (10, 10, 20, 20)) = 0.0f;
   shown_.at<float> (20, 20) = kDepth;
   look();
-  EXPECT_EQ (at (20, 20), Visible);
-  EXPECT_EQ (count (Unknown), 399);
+  EXPECT_EQ (at (20, 20), Visibility::Visible);
+  EXPECT_EQ (count (Visibility::Unknown), 399);
 }
 
 TEST_F (WallAtRest, OutOfViewAndUndeterminedAreSaid)
 {
   scene_.displacement.at<cv::Vec3f> (5, 5) = {-10.0f, 0.0f, 0.0f};
   look();
-  EXPECT_EQ (at (5, 5), OutOfView);
+  EXPECT_EQ (at (5, 5), Visibility::OutOfView);
   scene_.segments[0].status = MotionStatus::Undetermined;
   look();
-  EXPECT_EQ (count (Unknown), kWidth * kHeight);
+  EXPECT_EQ (count (Visibility::Unknown), kWidth * kHeight);
   EXPECT_EQ (scene_.segments[0].visible_points, 0);
 }
 
@@ -246,7 +262,7 @@ TEST_F (WallAtRest, SharedNoiseWidensWhatIsVisible)
     for (int x = 0; x < kWidth; x += 5)
       shown_ (cv::Rect (x, y, 5, 5)) = 1.0f / (1.0f / kDepth + noise (random));
   look();
-  EXPECT_GT (count (Visible), 0.9 * kWidth * kHeight);
+  EXPECT_GT (count (Visibility::Visible), 0.9 * kWidth * kHeight);
 }
 
 /** However large the noise is said to be: a tenth of the depth is another surface. */
@@ -255,8 +271,8 @@ TEST_F (WallAtRest, NoNoiseMakesEverythingVisible)
   shown_ (cv::Rect (0, 0, 30, kHeight)) = 1.0f;
   shown_ (cv::Rect (30, 0, 30, kHeight)) = 4.0f;
   look (1.0);
-  EXPECT_EQ (count (Visible), 0);
-  EXPECT_EQ (count (Occluded), 30 * kHeight);
+  EXPECT_EQ (count (Visibility::Visible), 0);
+  EXPECT_EQ (count (Visibility::Occluded), 30 * kHeight);
 }
 
 } // namespace

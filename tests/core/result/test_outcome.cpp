@@ -21,7 +21,7 @@ using testing::HasSubstr;
 int
 visiblePoints (const SceneFlow& flow)
 {
-  return cv::countNonZero (flow.visibility == static_cast<int> (Visible));
+  return cv::countNonZero (flow.visibility == pixelValue (Visibility::Visible));
 }
 
 void
@@ -207,7 +207,8 @@ TEST_F (Outcome, WhatStandsBeforeHalfOfTheSceneIsNoFailure)
   view.color (cv::Rect (0, 0, 90, scene_.height)) = 0.5f;
   const SceneFlow flow = align (reference_, scene_.frame (view));
   EXPECT_TRUE (flow.report.converged) << flow.report.message;
-  EXPECT_GT (cv::countNonZero (flow.visibility == static_cast<int> (Occluded)), 1000);
+  EXPECT_GT (cv::countNonZero (flow.visibility == pixelValue (Visibility::Occluded)),
+             1000);
   // Without colour the three walls tell where the room is: the one at the left, which
   // is narrow, is left in view.
   view = scene_.render (true);

@@ -102,26 +102,26 @@ TEST_F (Room, UnknownIsNaNAndHiddenIsSaid)
     for (int x = 0; x < scene_.width; ++x) {
       const int visibility = result.visibility.at<unsigned char> (y, x);
       if (kHole.contains ({x, y})) {
-        EXPECT_EQ (visibility, NoDepth);
+        EXPECT_EQ (visibility, Visibility::NoDepth);
         EXPECT_TRUE (std::isnan (result.flow.at<cv::Vec2f> (y, x)[0]));
         EXPECT_TRUE (std::isnan (result.displacement.at<cv::Vec3f> (y, x)[2]));
         EXPECT_EQ (result.labels.at<int> (y, x), -1);
         continue;
       }
-      EXPECT_NE (visibility, NoDepth);
+      EXPECT_NE (visibility, Visibility::NoDepth);
       const cv::Vec2f end = truth.flow.at<cv::Vec2f> (y, x);
       const bool inside = x + end[0] >= 0 && x + end[0] <= scene_.width - 1 &&
                           y + end[1] >= 0 && y + end[1] <= scene_.height - 1;
       if (truth.visible.at<unsigned char> (y, x)) {
         ++seen;
-        said_seen += visibility == Visible ? 1 : 0;
+        said_seen += visibility == Visibility::Visible ? 1 : 0;
       }
       else if (inside) {
         ++covered;
-        said_covered += visibility == Occluded ? 1 : 0;
+        said_covered += visibility == Visibility::Occluded ? 1 : 0;
       }
       else
-        EXPECT_NE (visibility, Occluded);
+        EXPECT_NE (visibility, Visibility::Occluded);
     }
   ASSERT_GT (covered, 50);
   EXPECT_GT (said_covered, 0.7 * covered);
@@ -194,7 +194,8 @@ TEST (GeometryOnly, BumpySurfaceIsEnough)
   const Eigen::Vector3d p (0.0, 0.0, 2.0);
   EXPECT_LT ((result.dominant_motion * p - motion * p).norm(), 0.002);
   EXPECT_LT ((result.dominant_motion * motion.inverse()).angle(), 0.001);
-  EXPECT_GT (cv::countNonZero (result.visibility == Visible), 0.85 * 160 * 120);
+  EXPECT_GT (cv::countNonZero (result.visibility == pixelValue (Visibility::Visible)),
+             0.85 * 160 * 120);
 }
 
 } // namespace

@@ -48,7 +48,7 @@ meanError (const Room& room, int reference, int to, const SceneFlow& flow)
   int count = 0;
   for (int y = 0; y < flow.flow.rows; ++y)
     for (int x = 0; x < flow.flow.cols; ++x) {
-      if (flow.visibility.at<unsigned char> (y, x) != Visible)
+      if (flow.visibility.at<unsigned char> (y, x) != Visibility::Visible)
         continue;
       const int body = room.views[reference].body.at<int> (y, x);
       const Eigen::Vector3d q = test::motionBetween (room.scene, body, reference, to) *
