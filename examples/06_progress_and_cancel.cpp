@@ -13,16 +13,18 @@ main ()
   pcl_msf::PiecewiseRigidRegistration<pcl::PointXYZRGBA> registration;
   registration.setInputSource (exampleCloud (0));
   registration.setInputTarget (exampleCloud (1));
-  registration.setTimeBudget (10.0); // seconds; then the best result so far
+  pcl_msf::SolverParameters solver;
+  solver.max_seconds = 10.0; // then the best result so far
 
   std::atomic<bool> wanted{true}; // a button may set it to false
-  registration.setProgressCallback ([&] (const pcl_msf::Progress& progress) {
+  solver.progress = [&] (const pcl_msf::Progress& progress) {
     std::cout << progress.stage << ": " << static_cast<int> (100 * progress.fraction)
               << " %, energy " << progress.cost << "\n";
     if (progress.fraction > 0.5)
       wanted = false;
     return wanted.load(); // false cancels
-  });
+  };
+  registration.setSolverParameters (solver);
 
   Cloud warped;
   registration.align (warped);

@@ -92,15 +92,17 @@ struct PCL_MSF_EXPORT SolverParameters {
   double function_tolerance{
       5e-3}; ///< stop when a step lowers E by less than this share, >= 0
   double parameter_tolerance{1e-7}; ///< stop when |dx| < tolerance |x|, >= 0
-  double max_seconds{0.0};          ///< time budget of a registration, 0 = none
+  double max_seconds{0.0}; ///< time for one registration, 0 = no limit; when it is used
+                           ///< up the best result so far has StopReason::TimeLimit
   LinearSolver linear_solver{LinearSolver::Cgnr};
   int levels{4};             ///< pyramid levels to use at the most, [1, 10]
   bool flow_proposals{true}; ///< start from optical flow lifted by depth as well
   bool blend_motions{true};  ///< move points by their neighbours' motions, too
   bool merge_bodies{true};   ///< merge segments that move as one rigid body
-  unsigned threads{0};       ///< 0 = all; the result does not depend on it
+  unsigned threads{0};       ///< [0, 1024], 0 = all; the result does not depend on it
 
-  /** \brief Called after each iteration in the calling thread; false cancels. */
+  /** \brief Called after each iteration in the calling thread; false cancels, an
+   * exception ends the registration. */
   std::function<bool (const Progress&)> progress;
 
   bool

@@ -183,8 +183,8 @@ public:
   pcl::IndicesPtr
   getIndices () const;
 
-  /** \brief Pairs that are known: index_query of the source, index_match of the target.
-   * They replace those of setCloudConstraints; without a match (index -1) refused.
+  /** \brief Sets `pairs` of CloudConstraints alone, from PCL's: index_query of the
+   * source, index_match of the target; without a match (index -1) refused.
    * \param weights as KnownPair's, one per pair; empty = 1 each */
   void
   setKnownCorrespondences (const pcl::Correspondences& correspondences,
@@ -200,7 +200,7 @@ public:
   void
   align (PointCloudSource& output, const Matrix4& guess);
 
-  /** \brief Levenberg-Marquardt steps per pyramid level, >= 0, default 6. */
+  /** \brief Sets `max_iterations` of SolverParameters alone, >= 0, default 6. */
   void
   setMaximumIterations (int iterations);
 

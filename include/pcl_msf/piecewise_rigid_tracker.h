@@ -49,6 +49,18 @@ public:
     return parameters_;
   }
 
+  /** \brief How Eq. 5 is minimized; `max_seconds` is for each cloud. */
+  void
+  setSolverParameters (const SolverParameters& parameters)
+  {
+    takeSolverParameters (parameters, "setSolverParameters");
+  }
+  SolverParameters
+  getSolverParameters () const
+  {
+    return solver_;
+  }
+
   /** \brief Takes the next cloud. \return false, with a PCL_ERROR, when it cannot be
    * used; then everything is as before. The first one only starts the window. Whether a
    * later one's motion is known says getSceneFlow ().report.converged. */

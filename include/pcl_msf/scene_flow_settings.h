@@ -75,28 +75,14 @@ public:
     return energy_;
   }
 
-  /** \brief Segmentation method alone, default TangentPlane; Single makes the whole
-   * scene one rigid body. */
+  /** \brief Sets `method` of SegmentationParameters alone, default TangentPlane; Single
+   * makes the whole scene one rigid body: for static scenes, the camera's motion. */
   void
   setSegmentationMethod (SegmentationMethod method);
   SegmentationMethod
   getSegmentationMethod () const
   {
     return segmentation_.method;
-  }
-
-  /** \brief true: the whole scene is one rigid body, one segment of all points,
-   * whatever the segmentation method; for static scenes and the camera's own motion. No
-   * effect while a segmentation from outside is set. */
-  void
-  setRigid (bool rigid)
-  {
-    rigid_ = rigid;
-  }
-  bool
-  isRigid () const
-  {
-    return rigid_;
   }
 
   /** \brief Weights and rules for several targets (Eq. 13 and 14). */
@@ -108,26 +94,8 @@ public:
     return multiframe_;
   }
 
-  /** \brief Aimed side of a segment, pixels, [4, 512]. */
-  void
-  setSegmentSize (int pixels);
-  int
-  getSegmentSize () const
-  {
-    return segmentation_.segment_size;
-  }
-
-  /** \brief gamma of Eq. 5, >= 0: larger holds neighbouring segments together. */
-  void
-  setRegularizerWeight (double gamma);
-  double
-  getRegularizerWeight () const
-  {
-    return energy_.regularizer_weight;
-  }
-
-  /** \brief Threads to use, at most 1024; 0 = one per processor. The result does not
-   * depend on it.
+  /** \brief Sets `threads` of SolverParameters alone: threads to use, at most 1024; 0 =
+   * one per processor. The result does not depend on it.
    *
    * With 1, all is done in the thread that calls align: no thread is started, and
    * OpenCV's loops are not split (see cv::setNumThreads for its own threads, used with
@@ -141,25 +109,64 @@ public:
     return solver_.threads;
   }
 
-  /** \brief Time for one align, seconds; 0 = no limit. When it is used up the best
-   * result so far is returned with StopReason::TimeLimit. */
-  void
-  setTimeBudget (double seconds);
-  double
+  /* Former shortcuts, which go with the next release: each sets one member of a
+   * structure that has a setter. */
+
+  /** \deprecated Sets the method to Single, or from Single to TangentPlane. */
+  [[deprecated ("use setSegmentationMethod (SegmentationMethod::Single)")]] void
+  setRigid (bool rigid)
+  {
+    if (rigid != (segmentation_.method == SegmentationMethod::Single))
+      segmentation_.method =
+          rigid ? SegmentationMethod::Single : SegmentationMethod::TangentPlane;
+  }
+  [[deprecated ("use getSegmentationMethod")]] bool
+  isRigid () const
+  {
+    return segmentation_.method == SegmentationMethod::Single;
+  }
+  [[deprecated ("use segment_size of SegmentationParameters")]] void
+  setSegmentSize (int pixels)
+  {
+    SegmentationParameters parameters = segmentation_;
+    parameters.segment_size = pixels;
+    setSegmentationParameters (parameters);
+  }
+  [[deprecated ("use segment_size of SegmentationParameters")]] int
+  getSegmentSize () const
+  {
+    return segmentation_.segment_size;
+  }
+  [[deprecated ("use regularizer_weight of EnergyParameters")]] void
+  setRegularizerWeight (double gamma)
+  {
+    EnergyParameters parameters = energy_;
+    parameters.regularizer_weight = gamma;
+    setEnergyParameters (parameters);
+  }
+  [[deprecated ("use regularizer_weight of EnergyParameters")]] double
+  getRegularizerWeight () const
+  {
+    return energy_.regularizer_weight;
+  }
+  [[deprecated ("use max_seconds of SolverParameters")]] void
+  setTimeBudget (double seconds)
+  {
+    SolverParameters parameters = solver_;
+    parameters.max_seconds = seconds;
+    takeSolverParameters (parameters, "setTimeBudget");
+  }
+  [[deprecated ("use max_seconds of SolverParameters")]] double
   getTimeBudget () const
   {
     return solver_.max_seconds;
   }
-
-  /** \brief Called after each iteration, in the aligning thread; false cancels. An
-   * empty function removes it. An exception in it ends the align with hasConverged ()
-   * false. */
-  void
+  [[deprecated ("use progress of SolverParameters")]] void
   setProgressCallback (const ProgressCallback& callback)
   {
     solver_.progress = callback;
   }
-  ProgressCallback
+  [[deprecated ("use progress of SolverParameters")]] ProgressCallback
   getProgressCallback () const
   {
     return solver_.progress;
@@ -184,7 +191,6 @@ protected:
   EnergyParameters energy_;
   SolverParameters solver_;
   MultiframeParameters multiframe_;
-  bool rigid_{false};
 
 private:
   const char* owner_;

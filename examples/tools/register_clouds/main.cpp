@@ -65,7 +65,9 @@ run (const RegisterOptions& o)
   PiecewiseRigidRegistration<pcl::PointXYZRGBA> registration;
   registration.setInputSource (clouds[0]);
   registration.setInputTarget (clouds[1]);
-  registration.setProgressCallback ([] (const Progress&) { return !interrupted(); });
+  SolverParameters solver;
+  solver.progress = [] (const Progress&) { return !interrupted(); };
+  registration.setSolverParameters (solver);
   Cloud warped;
   registration.align (warped);
   throwIfInterrupted();

@@ -230,12 +230,9 @@ PiecewiseRigidRegistration<PointT>::cutSegments (const RgbdFrame& reference,
     segments = Oversegmentation::fromLabels (labelImage (*labels_), reference);
   else if (!clusters_.empty())
     segments = Oversegmentation::fromIndices (clusters_, reference);
-  else {
-    SegmentationParameters cut = segmentation_;
-    if (rigid_)
-      cut.method = SegmentationMethod::Single;
-    segments = Oversegmentation::fromFrame (reference, cut, getNumberOfThreads());
-  }
+  else
+    segments =
+        Oversegmentation::fromFrame (reference, segmentation_, getNumberOfThreads());
   if (points.size() == aligned_->size())
     return segments;
   return detail::segmentsHolding (points, segments, reference);

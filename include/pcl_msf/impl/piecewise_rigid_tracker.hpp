@@ -41,12 +41,9 @@ PiecewiseRigidTracker<PointT>::addCloud (const PointCloudConstPtr& cloud)
     requireOrganized (*cloud, "cloud");
     const auto kept = pcl::make_shared<PointCloud> (*cloud); // it may be filled anew
     const bool first = !reference_;
-    if (first) {
-      SegmentationParameters cut = segmentation_;
-      if (rigid_)
-        cut.method = SegmentationMethod::Single;
-      tracker_ = SceneFlowTracker (parameters_, cut, energy_, solver_, multiframe_);
-    }
+    if (first)
+      tracker_ =
+          SceneFlowTracker (parameters_, segmentation_, energy_, solver_, multiframe_);
     double unit = first ? 0.0 : intensity_unit_;
     const RgbdFrame frame =
         detail::makeFrames ({{coordinateImage (*kept), colorImage (*kept)}},

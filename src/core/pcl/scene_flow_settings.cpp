@@ -79,45 +79,11 @@ SceneFlowSettings::setMultiframeParameters (const MultiframeParameters& paramete
 }
 
 void
-SceneFlowSettings::setSegmentSize (int pixels)
-{
-  SegmentationParameters parameters = segmentation_;
-  parameters.segment_size = pixels;
-  std::string why;
-  if (parameters.isValid (&why))
-    segmentation_ = parameters;
-  else
-    printError ("setSegmentSize", why);
-}
-
-void
-SceneFlowSettings::setRegularizerWeight (double gamma)
-{
-  EnergyParameters parameters = energy_;
-  parameters.regularizer_weight = gamma;
-  std::string why;
-  if (parameters.isValid (&why))
-    energy_ = parameters;
-  else
-    printError ("setRegularizerWeight", why);
-}
-
-void
 SceneFlowSettings::setNumberOfThreads (unsigned threads)
 {
-  constexpr unsigned most = 1024; // more is a negative number in disguise
-  if (threads <= most)
-    solver_.threads = threads;
-  else
-    printError ("setNumberOfThreads", "threads must be in [0, 1024]; 0 = all");
-}
-
-void
-SceneFlowSettings::setTimeBudget (double seconds)
-{
   SolverParameters parameters = solver_;
-  parameters.max_seconds = seconds;
-  takeSolverParameters (parameters, "setTimeBudget");
+  parameters.threads = threads;
+  takeSolverParameters (parameters, "setNumberOfThreads");
 }
 
 bool

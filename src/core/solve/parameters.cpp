@@ -88,6 +88,8 @@ SolverParameters::isValid (std::string* why) const
           "parameter_tolerance must be in [0, 1]");
   r.need (between (max_seconds, 0.0, kHuge), "max_seconds must be >= 0");
   r.need (levels >= 1 && levels <= 10, "levels must be in [1, 10]");
+  constexpr unsigned most = 1024; // more is a negative number in disguise
+  r.need (threads <= most, "threads must be in [0, 1024]; 0 = all");
   return r.met (why);
 }
 

@@ -198,10 +198,14 @@ TEST (PiecewiseRigidTracker, NamesItselfWhenItRefuses)
 {
   PiecewiseRigidTracker<pcl::PointXYZI> tracker;
   ::testing::internal::CaptureStderr();
-  tracker.setSegmentSize (0);
-  tracker.setTimeBudget (-1.0);
+  SegmentationParameters segmentation;
+  segmentation.segment_size = 0;
+  tracker.setSegmentationParameters (segmentation);
+  SolverParameters solver;
+  solver.max_seconds = -1.0;
+  tracker.setSolverParameters (solver);
   const std::string printed = ::testing::internal::GetCapturedStderr();
-  for (const char* method : {"setSegmentSize", "setTimeBudget"})
+  for (const char* method : {"setSegmentationParameters", "setSolverParameters"})
     EXPECT_THAT (
         printed,
         ::testing::HasSubstr (std::string ("[pcl_msf::PiecewiseRigidTracker::") +

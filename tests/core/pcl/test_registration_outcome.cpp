@@ -27,14 +27,17 @@ TEST (Registration, ThrowingCallbacksDoNotEscape)
   registration.setInputSource (RigidPair::reference());
   registration.setInputTarget (RigidPair::current());
   Cloud output;
-  registration.setProgressCallback (
-      [] (const Progress&) -> bool { throw std::runtime_error ("from the callback"); });
+  SolverParameters solver;
+  solver.progress = [] (const Progress&) -> bool {
+    throw std::runtime_error ("from the callback");
+  };
+  registration.setSolverParameters (solver);
   testing::internal::CaptureStderr();
   EXPECT_NO_THROW (registration.align (output));
   EXPECT_THAT (testing::internal::GetCapturedStderr(), HasSubstr ("from the callback"));
   EXPECT_FALSE (registration.hasConverged());
 
-  registration.setProgressCallback ({});
+  registration.setSolverParameters ({});
   bool armed = false;
   std::function<Registration::UpdateVisualizerCallbackSignature> callback =
       [&armed] (auto&, auto&, auto&, auto&) {
@@ -55,7 +58,9 @@ TEST (Registration, CancellingEndsUnconvergedWithAReason)
   Registration registration;
   registration.setInputSource (RigidPair::reference());
   registration.setInputTarget (RigidPair::current());
-  registration.setProgressCallback ([] (const Progress&) { return false; });
+  SolverParameters solver;
+  solver.progress = [] (const Progress&) { return false; };
+  registration.setSolverParameters (solver);
   Cloud output;
   registration.align (output);
   EXPECT_FALSE (registration.hasConverged());
@@ -94,7 +99,9 @@ TEST (Registration, ATinyTimeBudgetEndsUnconvergedWithAResult)
   Registration registration;
   registration.setInputSource (RigidPair::reference());
   registration.setInputTarget (RigidPair::current());
-  registration.setTimeBudget (1e-6);
+  SolverParameters solver;
+  solver.max_seconds = 1e-6;
+  registration.setSolverParameters (solver);
   Cloud output;
   registration.align (output);
   EXPECT_FALSE (registration.hasConverged());

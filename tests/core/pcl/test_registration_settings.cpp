@@ -67,10 +67,13 @@ TEST (RegistrationSettings, SegmentationParameters)
   p.threshold = nan_value;
   refused ("setSegmentationParameters", [&] { r.setSegmentationParameters (p); });
   EXPECT_EQ (r.getSegmentationParameters().min_points, 500);
-  r.setSegmentSize (40);
-  EXPECT_THAT (refused ("setSegmentSize", [&] { r.setSegmentSize (3); }),
-               HasSubstr ("[4, 512]"));
-  EXPECT_EQ (r.getSegmentSize(), 40);
+  p = {};
+  p.segment_size = 40;
+  r.setSegmentationParameters (p);
+  p.segment_size = 3;
+  EXPECT_THAT (
+      refused ("setSegmentationParameters", [&] { r.setSegmentationParameters (p); }),
+      HasSubstr ("[4, 512]"));
   r.setSegmentationMethod (SegmentationMethod::Slic);
   refused ("setSegmentationMethod",
            [&] { r.setSegmentationMethod (static_cast<SegmentationMethod> (77)); });
@@ -87,10 +90,12 @@ TEST (RegistrationSettings, EnergyParameters)
   p.prior_weight = 0.0;
   refused ("setEnergyParameters", [&] { r.setEnergyParameters (p); });
   EXPECT_EQ (r.getEnergyParameters().icp_weight, 2.0);
-  r.setRegularizerWeight (0.5);
-  refused ("setRegularizerWeight", [&] { r.setRegularizerWeight (-1.0); });
-  refused ("setRegularizerWeight", [&] { r.setRegularizerWeight (nan_value); });
-  EXPECT_EQ (r.getRegularizerWeight(), 0.5);
+  p = {};
+  for (const double bad : {-1.0, nan_value}) {
+    p.regularizer_weight = bad;
+    refused ("setEnergyParameters", [&] { r.setEnergyParameters (p); });
+  }
+  EXPECT_EQ (r.getEnergyParameters().icp_weight, 2.0);
 }
 
 TEST (RegistrationSettings, SolverParameters)
@@ -107,10 +112,16 @@ TEST (RegistrationSettings, SolverParameters)
   EXPECT_EQ (r.getMaximumIterations(), 6);
   r.setMaximumIterations (4);
   EXPECT_EQ (r.getSolverParameters().max_iterations, 4);
-  r.setTimeBudget (0.5);
-  for (const double bad : {-1.0, nan_value, double (INFINITY)})
-    refused ("setTimeBudget", [&] { r.setTimeBudget (bad); });
-  EXPECT_EQ (r.getTimeBudget(), 0.5);
+  p = {};
+  p.max_seconds = 0.5;
+  p.progress = [] (const Progress&) { return true; };
+  r.setSolverParameters (p);
+  for (const double bad : {-1.0, nan_value, double (INFINITY)}) {
+    p.max_seconds = bad;
+    refused ("setSolverParameters", [&] { r.setSolverParameters (p); });
+  }
+  EXPECT_EQ (r.getSolverParameters().max_seconds, 0.5);
+  EXPECT_TRUE (r.getSolverParameters().progress);
 }
 
 TEST (RegistrationSettings, Threads)
@@ -121,17 +132,44 @@ TEST (RegistrationSettings, Threads)
   refused ("setNumberOfThreads",
            [&] { r.setNumberOfThreads (static_cast<unsigned> (-1)); });
   EXPECT_EQ (r.getNumberOfThreads(), 2u);
+  SolverParameters p = r.getSolverParameters();
+  EXPECT_EQ (p.threads, 2u);
+  p.threads = 1025;
+  refused ("setSolverParameters", [&] { r.setSolverParameters (p); });
   r.setNumberOfThreads();
   EXPECT_EQ (r.getNumberOfThreads(), 0u);
 }
 
-TEST (RegistrationSettings, ProgressCallback)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wdeprecated-declarations"
+TEST (RegistrationSettings, FormerShortcutsSetTheStructures)
 {
   Registration r;
-  EXPECT_FALSE (r.getProgressCallback());
+  r.setSegmentSize (40);
+  r.setRigid (true);
+  EXPECT_TRUE (r.isRigid());
+  EXPECT_EQ (r.getSegmentationParameters().segment_size, 40);
+  EXPECT_EQ (r.getSegmentationMethod(), SegmentationMethod::Single);
+  r.setRigid (false);
+  EXPECT_EQ (r.getSegmentationMethod(), SegmentationMethod::TangentPlane);
+  r.setSegmentationMethod (SegmentationMethod::Slic);
+  r.setRigid (false);
+  EXPECT_EQ (r.getSegmentationMethod(), SegmentationMethod::Slic) << "was not rigid";
+  r.setRegularizerWeight (0.5);
+  EXPECT_EQ (r.getEnergyParameters().regularizer_weight, 0.5);
+  r.setTimeBudget (2.0);
   r.setProgressCallback ([] (const Progress&) { return true; });
+  EXPECT_EQ (r.getSolverParameters().max_seconds, 2.0);
+  EXPECT_TRUE (r.getSolverParameters().progress);
+  refused ("setSegmentationParameters", [&] { r.setSegmentSize (3); });
+  refused ("setEnergyParameters", [&] { r.setRegularizerWeight (nan_value); });
+  refused ("setTimeBudget", [&] { r.setTimeBudget (-1.0); });
+  EXPECT_EQ (r.getSegmentSize(), 40);
+  EXPECT_EQ (r.getRegularizerWeight(), 0.5);
+  EXPECT_EQ (r.getTimeBudget(), 2.0);
   EXPECT_TRUE (r.getProgressCallback());
 }
+#pragma GCC diagnostic pop
 
 TEST (RegistrationSettings, SegmentationFromOutside)
 {

@@ -99,13 +99,12 @@ TEST (RegistrationTargets, ReferenceInTheMiddle)
   EXPECT_EQ (registration.getWarpedCloud (1).size(), warped.size()) << "the source";
 }
 
-TEST (RegistrationTargets, RigidIsOneSegment)
+TEST (RegistrationTargets, SingleIsOneSegment)
 {
   Registration registration;
   registration.setInputSource (view (0));
   registration.setInputTargets ({view (1), view (2)});
-  EXPECT_FALSE (registration.isRigid());
-  registration.setRigid (true);
+  registration.setSegmentationMethod (SegmentationMethod::Single);
   Cloud warped;
   registration.align (warped);
   ASSERT_TRUE (registration.hasConverged());

@@ -201,7 +201,7 @@ TEST (RegistrationWindow, NineFramesAreNotTooMany)
   MultiframeParameters near;
   near.max_span = 1;
   registration.setMultiframeParameters (near);
-  registration.setRigid (true);
+  registration.setSegmentationMethod (SegmentationMethod::Single);
   for (int k = 1; k < 9; ++k)
     registration.addInputTarget (view (k));
   Cloud warped;
