@@ -204,6 +204,7 @@ TEST (PiecewiseRigidTracker, NamesItselfWhenItRefuses)
   SolverParameters solver;
   solver.max_seconds = -1.0;
   tracker.setSolverParameters (solver);
+  EXPECT_EQ (tracker.getSolverParameters().max_seconds, 0.0) << "as it was";
   const std::string printed = ::testing::internal::GetCapturedStderr();
   for (const char* method : {"setSegmentationParameters", "setSolverParameters"})
     EXPECT_THAT (
