@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "common/command_line.h"
-#include "evaluate/csv.h"
 #include "evaluate/merge.h"
+#include "evaluate/pair_table.h"
 #include "evaluate/result_store.h"
 #include "support/evaluation.h"
 #include "support/expect_io_error.h"

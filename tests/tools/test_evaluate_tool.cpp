@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
-#include "evaluate/csv.h"
+#include "evaluate/pair_table.h"
 #include "support/expect_refusal.h"
 #include <gmock/gmock.h>
 

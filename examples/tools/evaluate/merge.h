@@ -2,7 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "csv.h"
+#include "pair_table.h"
 
 #include <string>
 #include <vector>

@@ -2,8 +2,8 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "csv.h"
 #include "options.h"
+#include "pair_table.h"
 
 #include <cstddef>
 

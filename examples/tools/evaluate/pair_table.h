@@ -11,9 +11,8 @@
 
 namespace pcl_msf::tool {
 
-/** \brief A result file: comments that say what was run, the names of the columns, a
- * line per method and pair. All text fields are quoted where need be (RFC 4180); an
- * empty field is unknown. */
+/** \brief A result file of pairs of frames, see CsvLayout: a line per method and pair;
+ * an empty field is unknown. */
 struct ResultFile {
   std::string version;  ///< of the program
   std::string settings; ///< see EvaluateOptions::settings
