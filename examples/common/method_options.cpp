@@ -95,6 +95,7 @@ addSolverOptions (CLI::App& app, SolverParameters& p)
   addSwitch (app, "--flow-proposals", "start from optical flow, too", p.flow_proposals);
   addSwitch (
       app, "--blend-motions", "points follow connected segments, too", p.blend_motions);
+  addSwitch (app, "--refine-flow", "images move single points, too", p.refine_flow);
   addSwitch (app, "--merge-bodies", "join what moves as one body", p.merge_bodies);
   addNumber (app, "--threads", "N", "0 = all", p.threads);
 }

@@ -98,8 +98,10 @@ struct PCL_MSF_EXPORT SolverParameters {
   int levels{4};             ///< pyramid levels to use at the most, [1, 10]
   bool flow_proposals{true}; ///< start from optical flow lifted by depth as well
   bool blend_motions{true};  ///< move points by their neighbours' motions, too
-  bool merge_bodies{true};   ///< merge segments that move as one rigid body
-  unsigned threads{0};       ///< [0, 1024], 0 = all; the result does not depend on it
+  bool refine_flow{true};    ///< adapt the flow to the images, point by point, where
+                          ///< points move otherwise than most; poses stay as they are
+  bool merge_bodies{true}; ///< merge segments that move as one rigid body
+  unsigned threads{0};     ///< [0, 1024], 0 = all; the result does not depend on it
 
   /** \brief Called after each iteration in the calling thread; false cancels, an
    * exception ends the registration. */

@@ -191,7 +191,9 @@ struct PCL_MSF_EXPORT SceneFlow {
   PinholeCamera camera; ///< of the reference
   cv::Mat labels;       ///< CV_32SC1, segment of each pixel, -1 = none
   cv::Mat points;       ///< CV_32FC3, reference points, metres; NaN = no depth
-  cv::Mat displacement; ///< CV_32FC3, metres; NaN = unknown
+  cv::Mat displacement; ///< CV_32FC3, metres; NaN = unknown. A point's own: it may
+                        ///< differ from its segment's motion, see SolverParameters'
+                        ///< blend_motions and refine_flow
   cv::Mat flow;         ///< CV_32FC2, pixels (u, v); NaN = unknown
   cv::Mat visibility;   ///< CV_8UC1, see Visibility
 

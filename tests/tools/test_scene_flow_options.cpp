@@ -76,16 +76,16 @@ TEST (SceneFlowOptions, TakesTheContractsLine)
 
 TEST (SceneFlowOptions, ReachesTheParameters)
 {
-  const Options o =
-      parse (kImages +
-             "--smoothing-sigma 1.5 --min-depth .3 --max-depth=9 --max-levels 3 "
-             "--normals integral --segmentation slic --threshold 0.7 --min-points 50 "
-             "--discard-small 1 --segment-size 32 --brightness-weight 2 --icp-weight 3 "
-             "--regularizer-weight 4 --prior-weight 5 --huber-threshold 6 --loss l2 "
-             "--pose-difference parameters --neighbors 7 --max-iterations 8 "
-             "--function-tolerance 1e-4 --parameter-tolerance 1e-5 --max-seconds 9 "
-             "--linear-solver cholesky --levels 2 --flow-proposals 0 --blend-motions 0 "
-             "--merge-bodies 0 --threads 5 --flow-max 12 --labels l --quiet");
+  const Options o = parse (
+      kImages +
+      "--smoothing-sigma 1.5 --min-depth .3 --max-depth=9 --max-levels 3 "
+      "--normals integral --segmentation slic --threshold 0.7 --min-points 50 "
+      "--discard-small 1 --segment-size 32 --brightness-weight 2 --icp-weight 3 "
+      "--regularizer-weight 4 --prior-weight 5 --huber-threshold 6 --loss l2 "
+      "--pose-difference parameters --neighbors 7 --max-iterations 8 "
+      "--function-tolerance 1e-4 --parameter-tolerance 1e-5 --max-seconds 9 "
+      "--linear-solver cholesky --levels 2 --flow-proposals 0 --blend-motions 0 "
+      "--refine-flow 0 --merge-bodies 0 --threads 5 --flow-max 12 --labels l --quiet");
   EXPECT_EQ (o.frame.smoothing_sigma, 1.5);
   EXPECT_EQ (o.frame.min_depth, 0.3);
   EXPECT_EQ (o.frame.max_depth, 9.0);
@@ -112,6 +112,7 @@ TEST (SceneFlowOptions, ReachesTheParameters)
   EXPECT_EQ (o.solver.levels, 2);
   EXPECT_FALSE (o.solver.flow_proposals);
   EXPECT_FALSE (o.solver.blend_motions);
+  EXPECT_FALSE (o.solver.refine_flow);
   EXPECT_FALSE (o.solver.merge_bodies);
   EXPECT_EQ (o.solver.threads, 5U);
   EXPECT_EQ (o.flow_maximum, 12.0);

@@ -49,6 +49,25 @@ meanShare (const WindowScene& scene, int level)
   return 1.0 / std::sqrt (1.0 + (scene.brightness_area - 1.0) * inside);
 }
 
+} // namespace
+
+cv::Mat
+comparableIntensity (const WindowScene& scene, int f, int level)
+{
+  const FrameLevel& frame = scene.frames[f].levels()[level];
+  const bool correct = !frame.intensity.empty() && !scene.exposure.empty();
+  const cv::Mat intensity =
+      correct ? correctIntensity (frame, scene.exposure[f], scene.falloff)
+              : frame.intensity;
+  const double mean_share = meanShare (scene, level);
+  if (mean_share >= 1.0)
+    return intensity;
+  return localContrast (
+      intensity, scene.tuning.frame.brightness.contrast_radius, mean_share);
+}
+
+namespace {
+
 void
 prepareFrame (const WindowScene& scene,
               int f,
@@ -58,12 +77,7 @@ prepareFrame (const WindowScene& scene,
               LevelPoints& out)
 {
   FrameLevel frame = scene.frames[f].levels()[level];
-  if (!frame.intensity.empty() && !scene.exposure.empty())
-    frame.intensity = correctIntensity (frame, scene.exposure[f], scene.falloff);
-  const double mean_share = meanShare (scene, level);
-  if (mean_share < 1.0)
-    frame.intensity = localContrast (
-        frame.intensity, scene.tuning.frame.brightness.contrast_radius, mean_share);
+  frame.intensity = comparableIntensity (scene, f, level);
   const bool reference = f == scene.pairs.reference();
   if (reference && level == 0 && !scene.fused_depth.empty())
     frame.inverse_depth = scene.fused_depth;

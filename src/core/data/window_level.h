@@ -52,6 +52,12 @@ probePoints (const FrameLevel& level,
              const WindowScene& scene,
              PointOptions options);
 
+/** \brief A frame's intensity at a level as the scene's other frames' compare with it:
+ * a window's in the reference's exposure, local contrast where light changed; a pair's
+ * change is not in it. CV_32FC1; empty without intensity. */
+cv::Mat
+comparableIntensity (const WindowScene& scene, int frame, int level);
+
 /** \brief What of a level depends on no poses, once segments have been carried. */
 struct LevelPoints {
   std::vector<SegmentPixels> pixels;              ///< per frame, grouped by segment

@@ -187,6 +187,8 @@ private:
   finish ();
   SceneFlow
   resultFor (int frame);
+  void
+  refine (int frame, SceneFlow& result) const;
   /** How sure the result of a pair is. \param camera of its frame */
   void
   fillConfidence (const DataTerm& data,

@@ -3,10 +3,13 @@
 #include "core/result/dense_points.h"
 #include "core/result/dense_visibility.h"
 #include "core/result/deviations.h"
+#include "core/result/flow_refinement.h"
 #include "core/result/outcome.h"
 #include "core/result/pose_covariance.h"
 #include "core/result/segment_results.h"
 #include "core/solve/window_solve.h"
+
+#include <cmath>
 
 /* The results of WindowSolve, at the level of its last round. */
 namespace pcl_msf {
@@ -32,9 +35,35 @@ WindowSolve::resultFor (int frame)
               scene_.tuning.result.blend,
               scene_.threads,
               result);
+  refine (frame, result);
   fillVisibility (data, scene_.tuning.result.visibility, scene_.threads, result);
   fillConfidence (data, pair, frames_[frame].camera(), result);
   return result;
+}
+
+/** Lets images adapt the flow to a frame. Of two frames optical flow is there, for a
+ * window it is made; where a motion is followed it would take too long. */
+void
+WindowSolve::refine (int frame, SceneFlow& result) const
+{
+  const RgbdFrame& reference = frames_[pairs_.reference()];
+  const RefinementTuning& tuning = scene_.tuning.result.refinement;
+  if (!user_.refine_flow || !reference.hasIntensity() || !frames_[frame].hasIntensity())
+    return;
+  const cv::Mat mask = pointsToRefine (result, tuning);
+  if (mask.empty())
+    return;
+  CoarseFlow optical = pair_start_.opticalFlow();
+  if (!isPair() && user_.flow_proposals)
+    optical = estimateOpticalFlow (
+        reference, frames_[frame], scene_.tuning.start.flow, scene_.threads);
+  const BrightnessChange& change = scene_.change;
+  const ComparedImages images{
+      change.gain * comparableIntensity (scene_, pairs_.reference(), 0) + change.offset,
+      comparableIntensity (scene_, frame, 0),
+      std::sqrt (2.0) * scene_.noise.intensity,
+      optical.ofSize (result.labels.size())};
+  refineFlow (images, frames_[frame].camera(), mask, tuning, scene_.threads, result);
 }
 
 void

@@ -175,6 +175,15 @@ CoarseFlow::at (int x, int y) const
   return scale * bilinear (a, b, top[x0], top[x1], low[x0], low[x1]);
 }
 
+cv::Mat
+CoarseFlow::ofSize (const cv::Size& frames) const
+{
+  cv::Mat result;
+  if (!flow.empty())
+    inThisThread ([&] { cv::resize (flow * (1 << level), result, frames); });
+  return result;
+}
+
 CoarseFlow
 estimateOpticalFlow (const RgbdFrame& reference,
                      const RgbdFrame& current,

@@ -37,6 +37,10 @@ struct CoarseFlow {
   /** \brief Flow of a pixel of the frames, in their pixels. */
   cv::Vec2f
   at (int x, int y) const;
+
+  /** \brief Flow of all pixels of frames of a size; empty when this is. */
+  cv::Mat
+  ofSize (const cv::Size& frames) const;
 };
 
 /** \brief Flow from the reference to the current frame at half resolution, by cv's DIS:

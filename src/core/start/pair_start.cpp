@@ -48,11 +48,11 @@ PairStart::run (const cv::Mat& labels,
       probePoints (reference_.levels()[at], labels, scene_, pointOptions (scene_, at));
   linkSegments (labels, at, points);
   FlowHypotheses flow;
-  CoarseFlow optical; // empty without intensity
+  optical_ = {};
   if (solver_.flow_proposals && reference_.hasIntensity()) {
-    optical = estimateOpticalFlow (
+    optical_ = estimateOpticalFlow (
         reference_, current_, scene_.tuning.start.flow, scene_.threads);
-    flow = liftOptical (optical, at, guess, points);
+    flow = liftOptical (optical_, at, guess, points);
   }
   if (!given.empty())
     return given;
@@ -73,9 +73,9 @@ PairStart::run (const cv::Mat& labels,
         reference_, current_, scene_.tuning.start.flow, scene_.threads);
     suggest (probes, at, lift (depth, at, guess, points, wanted), poses);
   }
-  if (!optical.flow.empty() && lostShare (probes, poses) > scene_.tuning.start.lost &&
+  if (!optical_.flow.empty() && lostShare (probes, poses) > scene_.tuning.start.lost &&
       (flow.bodies.empty() || !followsFlow (flow.samples, flow.bodies.front())))
-    suggestFarMotions (optical, at, guess, points, probes, poses);
+    suggestFarMotions (optical_, at, guess, points, probes, poses);
   return poses;
 }
 

@@ -30,6 +30,13 @@ public:
        const RigidPose& guess,
        const std::vector<RigidPose>& given);
 
+  /** \brief The flow that run () began with; empty without. */
+  const CoarseFlow&
+  opticalFlow () const
+  {
+    return optical_;
+  }
+
   /** \brief In place of run (): poses that many segments share. */
   void
   setCommon (std::vector<RigidPose> poses)
@@ -105,6 +112,7 @@ private:
   const RgbdFrame& reference_;
   const RgbdFrame& current_;
   std::vector<RigidPose> common_; ///< that every segment may try
+  CoarseFlow optical_;
 };
 
 } // namespace pcl_msf

@@ -7,6 +7,7 @@ namespace pcl_msf {
 void
 listValues (ResultTuning& tuning, TunedValues& values)
 {
+  RefinementTuning& refinement = tuning.refinement;
   SoftTuning& soft = tuning.soft;
   VisibilityTuning& visibility = tuning.visibility;
   OutcomeTuning& outcome = tuning.outcome;
@@ -18,6 +19,20 @@ listValues (ResultTuning& tuning, TunedValues& values)
       {"result.status.connected", &tuning.status.connected, 0, 1},
       {"result.blend.least_strength", &tuning.blend.least_strength, 0, 1},
       {"result.blend.reach", &tuning.blend.reach, 0.01, 100},
+      {"result.refinement.common", &refinement.common, 0, 1},
+      {"result.refinement.least_points", &refinement.least_points, 1, 1e9},
+      {"result.refinement.tile", &refinement.tile, 16, 100000},
+      {"result.refinement.most_spread", &refinement.most_spread, 0, 10000},
+      {"result.refinement.margin", &refinement.margin, 1, 1000},
+      {"result.refinement.better", &refinement.better, 0, 1},
+      {"result.refinement.window", &refinement.window, 0.3, 100},
+      {"result.refinement.most_residual", &refinement.most_residual, 1e-3, 1},
+      {"result.refinement.clearly", &refinement.clearly, 0, 1},
+      {"result.refinement.smoothness", &refinement.smoothness, 0.01, 1e4},
+      {"result.refinement.brightness", &refinement.brightness, 0, 1e4},
+      {"result.refinement.gradient", &refinement.gradient, 0, 1e4},
+      {"result.refinement.iterations", &refinement.iterations, 1, 100},
+      {"result.refinement.relaxations", &refinement.relaxations, 1, 100},
       {"result.soft.samples", &soft.samples, 1, 1e6},
       {"result.soft.least_samples", &soft.least_samples, 1, 1e6},
       {"result.soft.near", &soft.near, 0, 0.5},

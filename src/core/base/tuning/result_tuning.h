@@ -27,6 +27,32 @@ struct BlendTuning {
                      ///< more is smoother
 };
 
+/** \brief How the images adapt the flow of points that move otherwise than most; see
+ * "Images have a say where bodies are small" in DECISIONS.md. Weights are those of
+ * OpenCV's refinement, for 8-bit images. */
+struct RefinementTuning {
+  double common{0.3}; ///< share of the points from which on the dominant body is rigid
+                      ///< without doubt and keeps its motion: more adapts static scenes
+  int least_points{100}; ///< that move otherwise: fewer are left alone
+  int tile{96};          ///< pixels, side of what is adapted at a time: more keeps more
+                         ///< processors waiting, less adapts margins again and again
+  int margin{6};         ///< pixels around a tile: less shows seams
+  int most_spread{8}; ///< pixels, how far a tile's motions may differ to be all in the
+                      ///< images that it works on: more is slower
+  double better{0.8}; ///< of the motion's residual: below it optical flow takes over;
+                      ///< more takes its errors
+  double window{2.0}; ///< pixels, standard deviation: residuals are averaged over it;
+                      ///< more blurs edges of motions
+  double most_residual{0.12}; ///< that counts: more lets single pixels rule
+  double clearly{0.95};       ///< of a segment's residuals with the noise: above it the
+                        ///< motion stays as it was; more adapts rigid bodies to chance
+  double smoothness{20.0}; ///< more follows the images less
+  double brightness{5.0};  ///< more follows them closer
+  double gradient{10.0};   ///< likewise, whatever the light
+  int iterations{2};       ///< of the nonlinear problem: more is slower
+  int relaxations{5};      ///< of each linear one: likewise
+};
+
 /** \brief Is the surface between two segments soft? See "Soft where a mixture fits
  * better" in DECISIONS.md. */
 struct SoftTuning {
@@ -123,6 +149,7 @@ struct DeviationTuning {
 struct ResultTuning {
   StatusTuning status;
   BlendTuning blend;
+  RefinementTuning refinement;
   SoftTuning soft;
   GroupTuning groups;
   VisibilityTuning visibility;
