@@ -3,10 +3,10 @@
 #include "core/result/dense_points.h"
 
 #include "core/base/parallel_for.h"
+#include "core/result/unknown_image.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pcl_msf {
 
@@ -127,11 +127,10 @@ fillPoints (const DataTerm& data,
             SceneFlow& result)
 {
   const SegmentPixels& p = data.pixels();
-  const float nan = std::numeric_limits<float>::quiet_NaN();
   const cv::Size size = result.labels.size();
-  result.points = cv::Mat (size, CV_32FC3, cv::Scalar::all (nan));
-  result.displacement = cv::Mat (size, CV_32FC3, cv::Scalar::all (nan));
-  result.flow = cv::Mat (size, CV_32FC2, cv::Scalar::all (nan));
+  result.points = unknownImage (size, 3, threads);
+  result.displacement = unknownImage (size, 3, threads);
+  result.flow = unknownImage (size, 2, threads);
   const auto motions = findBlendedMotions (result, blend, tuning);
   parallelFor (threads, p.segments(), 8, [&] (int k) {
     const bool known = result.segments[k].status != MotionStatus::Undetermined;

@@ -8,6 +8,7 @@
 
 #include "core/base/opencv_threads.h"
 #include "core/base/parallel_for.h"
+#include "core/result/unknown_image.h"
 
 #include <algorithm>
 #include <array>
@@ -143,7 +144,7 @@ private:
 /** Where motions differ within a radius: 255 in CV_8UC1. Inside of a rigid body they
  * hardly do. */
 cv::Mat
-nearOtherMotions (const SceneFlow& scene, int radius)
+nearOtherMotions (const SceneFlow& scene, int radius, int threads)
 {
   std::map<std::array<double, 6>, int> motions;
   std::vector<float> motion_of;
@@ -154,11 +155,12 @@ nearOtherMotions (const SceneFlow& scene, int radius)
             .first->second));
   }
   cv::Mat motion (scene.labels.size(), CV_32FC1);
-  for (int y = 0; y < motion.rows; ++y)
+  parallelFor (threads, motion.rows, 32, [&] (int y) {
     for (int x = 0; x < motion.cols; ++x) {
       const int label = scene.labels.at<int> (y, x);
       motion.at<float> (y, x) = label < 0 ? -1.0f : motion_of[label];
     }
+  });
   cv::Mat lowest, highest;
   const cv::Mat window = cv::Mat::ones (2 * radius + 1, 2 * radius + 1, CV_8UC1);
   inThisThread ([&] {
@@ -206,16 +208,16 @@ class DeviationWriter {
 public:
   DeviationWriter (const PinholeCamera& camera,
                    const DeviationTuning& tuning,
+                   int threads,
                    SceneFlow& result)
   : tuning_ (tuning)
   , least_ (static_cast<float> (tuning.least_pixels))
   , pixel_ (static_cast<float> (tuning.least_pixels / camera.fx))
-  , near_others_ (nearOtherMotions (result, tuning.far_step))
+  , near_others_ (nearOtherMotions (result, tuning.far_step, threads))
   , result_ (result)
   {
-    const cv::Scalar nan = cv::Scalar::all (std::numeric_limits<float>::quiet_NaN());
-    result.flow_deviation = cv::Mat (result.labels.size(), CV_32FC1, nan);
-    result.displacement_deviation = cv::Mat (result.labels.size(), CV_32FC1, nan);
+    result.flow_deviation = unknownImage (result.labels.size(), 1, threads);
+    result.displacement_deviation = unknownImage (result.labels.size(), 1, threads);
   }
 
   /** \param z depth, metres */
@@ -259,7 +261,7 @@ fillDeviations (const SegmentPixels& p,
                 int threads,
                 SceneFlow& result)
 {
-  DeviationWriter writer (camera, tuning, result);
+  DeviationWriter writer (camera, tuning, threads, result);
   parallelFor (threads, p.segments(), 8, [&] (int k) {
     const SegmentVariance own (result.segments[k].current_from_reference,
                                covariances[k],

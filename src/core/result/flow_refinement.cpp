@@ -88,23 +88,25 @@ moveTo (
 } // namespace
 
 cv::Mat
-pointsToRefine (const SceneFlow& scene, const RefinementTuning& tuning)
+pointsToRefine (const SceneFlow& scene, const RefinementTuning& tuning, int threads)
 {
   const std::vector<char> other = movesOtherwise (scene, tuning.common);
-  cv::Mat mask (scene.labels.size(), CV_8UC1, cv::Scalar (0));
+  cv::Mat mask (scene.labels.size(), CV_8UC1);
   const cv::Rect2f image ({}, cv::Size2f (mask.size()));
-  int count = 0;
-  for (int y = 0; y < mask.rows; ++y) {
+  const int count = parallelSum (threads, mask.rows, 32, [&] (int y) {
     const int* label = scene.labels.ptr<int> (y);
     const cv::Vec2f* flow = scene.flow.ptr<cv::Vec2f> (y);
-    for (int x = 0; x < mask.cols; ++x)
-      if (label[x] >= 0 && other[label[x]] != 0 &&
+    int in_row = 0;
+    for (int x = 0; x < mask.cols; ++x) {
+      const bool asked =
+          label[x] >= 0 && other[label[x]] != 0 &&
           image.contains (cv::Point2f (static_cast<float> (x) + flow[x][0],
-                                       static_cast<float> (y) + flow[x][1]))) {
-        mask.ptr (y)[x] = 255;
-        ++count;
-      }
-  }
+                                       static_cast<float> (y) + flow[x][1]));
+      mask.ptr (y)[x] = asked ? 255 : 0;
+      in_row += asked ? 1 : 0;
+    }
+    return in_row;
+  });
   return count < tuning.least_points ? cv::Mat() : mask;
 }
 

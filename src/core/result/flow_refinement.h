@@ -12,7 +12,7 @@ namespace pcl_msf {
  * otherwise than the body that most follow, and do not leave the image. Empty when
  * these are hardly any. */
 cv::Mat
-pointsToRefine (const SceneFlow& scene, const RefinementTuning& tuning);
+pointsToRefine (const SceneFlow& scene, const RefinementTuning& tuning, int threads);
 
 /** \brief What the images say of single points, beside their bodies' motions.
  *

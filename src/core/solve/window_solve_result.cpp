@@ -50,7 +50,7 @@ WindowSolve::refine (int frame, SceneFlow& result) const
   const RefinementTuning& tuning = scene_.tuning.result.refinement;
   if (!user_.refine_flow || !reference.hasIntensity() || !frames_[frame].hasIntensity())
     return;
-  const cv::Mat mask = pointsToRefine (result, tuning);
+  const cv::Mat mask = pointsToRefine (result, tuning, scene_.threads);
   if (mask.empty())
     return;
   CoarseFlow optical = pair_start_.opticalFlow();

@@ -105,7 +105,7 @@ protected:
   void
   refine (int threads = 1)
   {
-    const cv::Mat mask = pointsToRefine (scene_, tuning_);
+    const cv::Mat mask = pointsToRefine (scene_, tuning_, threads);
     ASSERT_FALSE (mask.empty());
     refineFlow (images_, scene_.camera, mask, tuning_, threads, scene_);
   }
@@ -265,17 +265,17 @@ TEST_F (Wall, TilesShowNoSeams)
 TEST_F (Wall, FewPointsAreLeftAlone)
 {
   move (1.5f);
-  EXPECT_EQ (cv::countNonZero (pointsToRefine (scene_, tuning_)),
+  EXPECT_EQ (cv::countNonZero (pointsToRefine (scene_, tuning_, 1)),
              (kWidth - kBorder - 1) * kHeight); // the last column leaves the image
   tuning_.least_points = kWidth * kHeight;
-  EXPECT_TRUE (pointsToRefine (scene_, tuning_).empty());
+  EXPECT_TRUE (pointsToRefine (scene_, tuning_, 1).empty());
 }
 
 TEST_F (Wall, AllPointsWhereNoBodyIsCommon)
 {
   move (1.5f);
   scene_.segments[0].points = 100;
-  EXPECT_EQ (cv::countNonZero (pointsToRefine (scene_, tuning_)),
+  EXPECT_EQ (cv::countNonZero (pointsToRefine (scene_, tuning_, 1)),
              (kWidth - 1) * kHeight);
 }
 
@@ -283,7 +283,7 @@ TEST_F (Wall, UndeterminedSegmentsAreNotAsked)
 {
   move (1.5f);
   scene_.segments[1].status = MotionStatus::Undetermined;
-  EXPECT_TRUE (pointsToRefine (scene_, tuning_).empty());
+  EXPECT_TRUE (pointsToRefine (scene_, tuning_, 1).empty());
 }
 
 } // namespace
