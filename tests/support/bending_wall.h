@@ -30,7 +30,7 @@ public:
   static constexpr double kDepth = 2.4; ///< metres
 
   BendingWall (int columns, int rows, const std::function<WallShift (double)>& shift)
-  : columns_ (columns), rows_ (rows)
+  : columns_ (columns)
   {
     const int width = kTile * columns;
     const int height = kTile * rows;
@@ -108,7 +108,7 @@ private:
     return RgbdFrame::fromImages (color, depth, camera, {});
   }
 
-  int columns_, rows_;
+  int columns_;
   std::vector<RigidPose> poses_;
   std::unique_ptr<Texture> texture_;
 };
