@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 // Warped points, residuals and visibility of a block of points. Everything here is
 // inlined into the functions of data_kernel.cpp, once per instruction set; each loop
@@ -138,29 +139,32 @@ using QuadIndices __attribute__ ((vector_size (16))) = int;
 #define PCL_MSF_SHUFFLE(a, b, ...) __builtin_shuffle (a, b, QuadIndices{__VA_ARGS__})
 #endif
 
-using Quad __attribute__ ((vector_size (16), aligned (4), may_alias)) = float;
+using Quad __attribute__ ((vector_size (16))) = float;
 
 /** Transposes four rows of four numbers; the results lie kBlock apart. */
 PCL_MSF_INLINE void
 transpose (
     const float* r0, const float* r1, const float* r2, const float* r3, float* out)
 {
-  const auto at = [](const float* p) __attribute__ ((always_inline))->const Quad&
+  // By memcpy: Clang takes what a reference to a vector refers to as aligned.
+  const auto at = [](const float* p) __attribute__ ((always_inline))->Quad
   {
-    return *reinterpret_cast<const Quad*> (p);
+    Quad quad;
+    std::memcpy (&quad, p, sizeof (quad));
+    return quad;
   };
   const Quad left01 = PCL_MSF_SHUFFLE (at (r0), at (r1), 0, 4, 1, 5);
   const Quad left23 = PCL_MSF_SHUFFLE (at (r2), at (r3), 0, 4, 1, 5);
   const Quad right01 = PCL_MSF_SHUFFLE (at (r0), at (r1), 2, 6, 3, 7);
   const Quad right23 = PCL_MSF_SHUFFLE (at (r2), at (r3), 2, 6, 3, 7);
-  const auto to = [out](int j) __attribute__ ((always_inline))->Quad&
+  const auto put = [out](int j, const Quad& quad) __attribute__ ((always_inline))
   {
-    return *reinterpret_cast<Quad*> (out + j * kBlock);
+    std::memcpy (out + j * kBlock, &quad, sizeof (quad));
   };
-  to (0) = PCL_MSF_SHUFFLE (left01, left23, 0, 1, 4, 5);
-  to (1) = PCL_MSF_SHUFFLE (left01, left23, 2, 3, 6, 7);
-  to (2) = PCL_MSF_SHUFFLE (right01, right23, 0, 1, 4, 5);
-  to (3) = PCL_MSF_SHUFFLE (right01, right23, 2, 3, 6, 7);
+  put (0, PCL_MSF_SHUFFLE (left01, left23, 0, 1, 4, 5));
+  put (1, PCL_MSF_SHUFFLE (left01, left23, 2, 3, 6, 7));
+  put (2, PCL_MSF_SHUFFLE (right01, right23, 0, 1, 4, 5));
+  put (3, PCL_MSF_SHUFFLE (right01, right23, 2, 3, 6, 7));
 }
 
 /** Fetches the four texels of each point: intensity and inverse depth lie together. */
