@@ -4,21 +4,12 @@
 
 namespace pcl_msf {
 
+namespace {
+
 void
-listValues (ResultTuning& tuning, TunedValues& values)
+listRefinement (RefinementTuning& refinement, TunedValues& values)
 {
-  RefinementTuning& refinement = tuning.refinement;
-  SoftTuning& soft = tuning.soft;
-  VisibilityTuning& visibility = tuning.visibility;
-  OutcomeTuning& outcome = tuning.outcome;
-  InformationTuning& information = tuning.information;
-  DeviationTuning& deviation = tuning.deviation;
   const TunedValues own{
-      {"result.status.seen_enough", &tuning.status.seen_enough, 0, 1},
-      {"result.status.rank_share", &tuning.status.rank_share, 0, 1},
-      {"result.status.connected", &tuning.status.connected, 0, 1},
-      {"result.blend.least_strength", &tuning.blend.least_strength, 0, 1},
-      {"result.blend.reach", &tuning.blend.reach, 0.01, 100},
       {"result.refinement.common", &refinement.common, 0, 1},
       {"result.refinement.least_points", &refinement.least_points, 1, 1e9},
       {"result.refinement.tile", &refinement.tile, 16, 100000},
@@ -32,7 +23,26 @@ listValues (ResultTuning& tuning, TunedValues& values)
       {"result.refinement.brightness", &refinement.brightness, 0, 1e4},
       {"result.refinement.gradient", &refinement.gradient, 0, 1e4},
       {"result.refinement.iterations", &refinement.iterations, 1, 100},
-      {"result.refinement.relaxations", &refinement.relaxations, 1, 100},
+      {"result.refinement.relaxations", &refinement.relaxations, 1, 100}};
+  values.insert (values.end(), own.begin(), own.end());
+}
+
+} // namespace
+
+void
+listValues (ResultTuning& tuning, TunedValues& values)
+{
+  SoftTuning& soft = tuning.soft;
+  VisibilityTuning& visibility = tuning.visibility;
+  OutcomeTuning& outcome = tuning.outcome;
+  InformationTuning& information = tuning.information;
+  DeviationTuning& deviation = tuning.deviation;
+  const TunedValues own{
+      {"result.status.seen_enough", &tuning.status.seen_enough, 0, 1},
+      {"result.status.rank_share", &tuning.status.rank_share, 0, 1},
+      {"result.status.connected", &tuning.status.connected, 0, 1},
+      {"result.blend.least_strength", &tuning.blend.least_strength, 0, 1},
+      {"result.blend.reach", &tuning.blend.reach, 0.01, 100},
       {"result.soft.samples", &soft.samples, 1, 1e6},
       {"result.soft.least_samples", &soft.least_samples, 1, 1e6},
       {"result.soft.near", &soft.near, 0, 0.5},
@@ -77,6 +87,7 @@ listValues (ResultTuning& tuning, TunedValues& values)
       {"result.deviation.across_unseen", &deviation.across_unseen, 0, 1},
       {"result.deviation.least_pixels", &deviation.least_pixels, 1e-6, 1}};
   values.insert (values.end(), own.begin(), own.end());
+  listRefinement (tuning.refinement, values);
 }
 
 } // namespace pcl_msf
