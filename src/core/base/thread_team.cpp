@@ -3,9 +3,9 @@
 #include "core/base/thread_team.h"
 
 #include "core/base/parallel_for.h"
+#include "core/base/without_signals.h"
 #include <pthread.h>
 
-#include <csignal>
 #include <ctime>
 #include <memory>
 #include <system_error>
@@ -38,25 +38,6 @@ leaveParentsTeam ()
 {
   [[maybe_unused]] const ThreadTeam* lost = teamHere().release();
 }
-
-/** Threads that are started meanwhile get no signals: the application's handlers run in
- * its own threads. */
-class WithoutSignals {
-public:
-  WithoutSignals()
-  {
-    sigset_t all;
-    sigfillset (&all);
-    pthread_sigmask (SIG_SETMASK, &all, &before_);
-  }
-  ~WithoutSignals() { pthread_sigmask (SIG_SETMASK, &before_, nullptr); }
-  WithoutSignals (const WithoutSignals&) = delete;
-  WithoutSignals&
-  operator= (const WithoutSignals&) = delete;
-
-private:
-  sigset_t before_{};
-};
 
 /** How long this thread has run on a processor. */
 std::chrono::nanoseconds

@@ -55,6 +55,7 @@ private:
   const double separation_;  ///< cost of leaving all neighbours
   const double least_prior_; ///< cost of leaving the largest body, at the least
   WindowState& state_;
+  std::vector<std::vector<UnpackedPose>> unpacked_; ///< per pair, per body
   const int segments_;
   std::vector<std::vector<int>> neighbors_;
   std::vector<std::vector<double>> strengths_; ///< of the links to them
@@ -81,6 +82,8 @@ Assignment::Assignment (const std::vector<PairTerms>& terms,
 , strengths_ (segments_)
 , known_ (segments_)
 {
+  for (const std::vector<RigidPose>& poses : state.poses)
+    unpacked_.emplace_back (poses.begin(), poses.end());
   for (const SegmentLink& l : links) {
     strengths_[l.first].push_back (l.strength);
     strengths_[l.second].push_back (l.strength);
@@ -119,7 +122,7 @@ Assignment::probe (int segment, int body)
   DataTerm::Probe sum;
   for (const PairTerms& pair : pairs_) {
     const DataTerm::Probe one =
-        pair.sample->probe (segment, state_.poses[pair.pair][body]);
+        pair.sample->probe (segment, unpacked_[pair.pair][body]);
     sum.cost += one.cost + tuning_.flow_worth * one.flow;
     sum.weight += one.weight;
     sum.hidden += one.hidden * one.weight;

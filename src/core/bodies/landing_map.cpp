@@ -99,9 +99,13 @@ LandingMap::landingsOf (int segment, const RigidPose& pose) const
   const int step = std::max (1, p.size (segment) / tuning_.per_segment);
   std::vector<int> cells;
   cells.reserve (p.size (segment) / step + 1);
-  for (int i = p.begin[segment]; i < p.begin[segment + 1]; i += step)
-    if (landing.onSurface (i) && landing.alike (i, tuning_.looks_alike))
-      cells.push_back (cellOf (landing.place()));
+  for (int i = p.begin[segment]; i < p.begin[segment + 1]; i += step) {
+    if (!landing.onSurface (i) || !landing.alike (i, tuning_.looks_alike))
+      continue;
+    const int cell = cellOf (landing.place());
+    if (cells.empty() || cells.back() != cell) // once is enough
+      cells.push_back (cell);
+  }
   return cells;
 }
 

@@ -10,16 +10,14 @@ namespace pcl_msf {
 
 namespace {
 
-/** \param r rotation of the pose */
+/** \param n rotation of the normals */
 kernel::Motion
-kernelMotion (const RigidPose& pose,
-              const Eigen::Matrix3d& r,
-              const RigidPose& frozen,
+kernelMotion (const UnpackedPose& pose,
+              const Eigen::Matrix3d& n,
               const Eigen::Vector3d& centroid)
 {
-  const Eigen::Matrix3d n =
-      frozen.parameters == pose.parameters ? r : frozen.rotation();
-  const Eigen::Vector3d t = pose.translation();
+  const Eigen::Matrix3d& r = pose.rotation;
+  const Eigen::Vector3d& t = pose.translation;
   const Eigen::Vector3d o = r * centroid + t;
   kernel::Motion m{};
   for (int i = 0; i < 3; ++i) {
@@ -36,8 +34,7 @@ kernelMotion (const RigidPose& pose,
 /** Sums about a left perturbation at the centroid -> pose parameters. */
 void
 toPoseParameters (const kernel::Sums& sums,
-                  const RigidPose& pose,
-                  const Eigen::Matrix3d& rotation,
+                  const UnpackedPose& pose,
                   const Eigen::Vector3d& centroid,
                   SegmentQuadratic& out)
 {
@@ -47,11 +44,10 @@ toPoseParameters (const kernel::Sums& sums,
     for (int c = r; c < 6; ++c)
       a (r, c) = a (c, r) = sums.a[at++];
   const Eigen::Map<const Vector6> b (sums.b);
-  const Eigen::Matrix3d j =
-      leftJacobian ({pose.parameters[0], pose.parameters[1], pose.parameters[2]});
+  const Eigen::Matrix3d j = leftJacobian (pose.rotation_vector);
   Matrix6 basis = Matrix6::Identity();
   basis.topLeftCorner<3, 3>() = j;
-  basis.bottomLeftCorner<3, 3>() = -skew (rotation * centroid) * j;
+  basis.bottomLeftCorner<3, 3>() = -skew (pose.rotation * centroid) * j;
   out.information = basis.transpose() * a * basis;
   out.gradient = basis.transpose() * b;
 }
@@ -167,17 +163,19 @@ DataTerm::points (int k) const
 }
 
 void
-DataTerm::evaluate (int k, const RigidPose& pose, Pass pass)
+DataTerm::evaluate (int k, const RigidPose& at_pose, Pass pass)
 {
   const bool renew = pass == Pass::Linearize;
-  if (renew && holds_[k] != Holds::Nothing && frozen_[k].parameters == pose.parameters)
+  if (renew && holds_[k] != Holds::Nothing &&
+      frozen_[k].parameters == at_pose.parameters)
     return;
   holds_[k] = renew ? Holds::All : Holds::Nothing;
   if (renew)
-    frozen_[k] = pose;
-  const Eigen::Matrix3d rotation = pose.rotation();
-  const kernel::Motion motion =
-      kernelMotion (pose, rotation, frozen_[k], pixels_.centroid[k]);
+    frozen_[k] = at_pose;
+  const UnpackedPose pose (at_pose);
+  const bool follow = frozen_[k].parameters == at_pose.parameters;
+  const kernel::Motion motion = kernelMotion (
+      pose, follow ? pose.rotation : frozen_[k].rotation(), pixels_.centroid[k]);
   const int at = pixels_.begin[k];
   const kernel::Correspondences state{plane_offset_.data() + at, active_.data() + at};
   kernel::Sums sums{};
@@ -187,7 +185,7 @@ DataTerm::evaluate (int k, const RigidPose& pose, Pass pass)
   SegmentQuadratic& out = quadratics_[k];
   out.brightness_cost = sums.brightness_cost;
   out.icp_cost = sums.icp_cost;
-  toPoseParameters (sums, pose, rotation, pixels_.centroid[k], out);
+  toPoseParameters (sums, pose, pixels_.centroid[k], out);
   out.flow_cost = 0.0;
   if (const double worth = solving_ * residual_; worth > 0.0)
     out.flow_cost =
@@ -203,11 +201,10 @@ DataTerm::sweep (const MotionState& state, Pass pass)
 }
 
 DataTerm::Probe
-DataTerm::probe (int k, const RigidPose& pose) const
+DataTerm::probe (int k, const UnpackedPose& pose) const
 {
   kernel::Sums sums{};
-  const kernel::Motion motion =
-      kernelMotion (pose, pose.rotation(), pose, pixels_.centroid[k]);
+  const kernel::Motion motion = kernelMotion (pose, pose.rotation, pixels_.centroid[k]);
   kernel::chosenKernel().probe (points (k), image_, motion, rules_, sums);
   Probe result;
   result.cost = sums.brightness_cost + sums.icp_cost;

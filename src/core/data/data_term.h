@@ -187,7 +187,7 @@ public:
   /** \brief Truncated cost of a segment at a pose, with fresh visibility.
    * Thread-safe. */
   Probe
-  probe (int segment, const RigidPose& pose) const;
+  probe (int segment, const UnpackedPose& pose) const;
 
   /** \brief Weight of all residuals of a segment. */
   double

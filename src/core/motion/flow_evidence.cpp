@@ -26,7 +26,7 @@ FlowEvidence::FlowEvidence (std::vector<FlowMatch> matches,
 
 double
 FlowEvidence::cost (int segment,
-                    const RigidPose& pose,
+                    const UnpackedPose& pose,
                     double weight,
                     Matrix6* information,
                     Vector6* gradient) const
@@ -34,16 +34,15 @@ FlowEvidence::cost (int segment,
   const int count = begin_[segment + 1] - begin_[segment];
   if (count == 0)
     return 0.0;
-  const Eigen::Matrix3d rotation = pose.rotation();
-  const Eigen::Vector3d translation = pose.translation();
-  const Eigen::Matrix3d left =
-      leftJacobian ({pose.parameters[0], pose.parameters[1], pose.parameters[2]});
+  Eigen::Matrix3d left;
+  if (information)
+    left = leftJacobian (pose.rotation_vector);
   const double cap2 = cap_ * cap_;
   double sum = 0.0;
   for (int i = begin_[segment]; i < begin_[segment + 1]; ++i) {
     const FlowSample& s = matches_[i].sample;
-    const Eigen::Vector3d turned = rotation * Eigen::Vector3d (s.x, s.y, s.z);
-    const Eigen::Vector3d p = turned + translation;
+    const Eigen::Vector3d turned = pose.rotation * Eigen::Vector3d (s.x, s.y, s.z);
+    const Eigen::Vector3d p = turned + pose.translation;
     if (!(p.z() > kNearest)) {
       sum += 0.5 * cap2;
       continue;

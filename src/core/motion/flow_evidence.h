@@ -36,7 +36,7 @@ public:
    * approximation by the pose's parameters is added */
   double
   cost (int segment,
-        const RigidPose& pose,
+        const UnpackedPose& pose,
         double weight = 0.0,
         Matrix6* information = nullptr,
         Vector6* gradient = nullptr) const;

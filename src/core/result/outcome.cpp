@@ -129,6 +129,7 @@ judgeMotion (const RgbdFrame& reference,
              const RgbdFrame& current,
              double intensity_noise,
              const OutcomeTuning& tuning,
+             int threads,
              SceneFlow& flow)
 {
   const Judgement nothing{StopReason::NothingDetermined,
@@ -137,11 +138,11 @@ judgeMotion (const RgbdFrame& reference,
                           "show nothing in common"};
   Judgement judgement = nothing;
   if (isDetermined (flow)) {
-    const Overlap overlap = measureOverlap (current, flow);
+    const Overlap overlap = measureOverlap (current, flow, threads);
     judgement = judgeOverlap (overlap, tuning);
     if (judgement.failure == StopReason::NotRun) {
       const Likeness texture =
-          compareTexture (reference, current, intensity_noise, tuning, flow);
+          compareTexture (reference, current, intensity_noise, tuning, threads, flow);
       judgement = texture.patches >= tuning.patches
                       ? judgeTexture (texture, tuning)
                       : judgeShape (overlap,
@@ -154,8 +155,8 @@ judgeMotion (const RgbdFrame& reference,
                    "the frames show different places: the depth of one is noise, in "
                    "which no surface is found"};
     // A blank frame shows no other one's texture: then its depth must tell nearly all.
-    const bool lost_texture = isBlank (reference, tuning) != isBlank (current, tuning);
-    if (lost_texture && overlap.found < tuning.mostly * overlap.moved)
+    if (overlap.found < tuning.mostly * overlap.moved &&
+        isBlank (reference, tuning) != isBlank (current, tuning))
       judgement = nothing;
     // The little that seemed determined is not found either.
     if (judgement.failure == StopReason::DifferentPlaces &&

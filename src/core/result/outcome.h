@@ -34,6 +34,7 @@ judgeMotion (const RgbdFrame& reference,
              const RgbdFrame& current,
              double intensity_noise,
              const OutcomeTuning& tuning,
+             int threads,
              SceneFlow& flow);
 
 /** \brief Stop reason, flag and message of a report, so that they agree.

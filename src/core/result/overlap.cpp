@@ -4,6 +4,7 @@
 
 #include "core/base/bilinear.h"
 #include "core/base/order_statistics.h"
+#include "core/base/parallel_for.h"
 
 #include <algorithm>
 #include <cmath>
@@ -106,31 +107,61 @@ correlation (const PatchSums& sums, int enough, double least_deviation)
   return both > 0.0 ? sums.moment (sums.xy, sums.x, sums.y) / both : 0.0;
 }
 
+Overlap
+overlapOfRow (const cv::Mat& depth, const SceneFlow& flow, int v)
+{
+  Overlap overlap;
+  for (int u = 0; u < flow.flow.cols; ++u) {
+    const auto seen = flow.visibility.at<unsigned char> (v, u);
+    const cv::Vec2f& way = flow.flow.at<cv::Vec2f> (v, u);
+    overlap.points += seen != Visibility::NoDepth ? 1 : 0;
+    if (!isKnown (way))
+      continue;
+    ++overlap.moved;
+    if (seen == Visibility::OutOfView)
+      continue;
+    const int column =
+        std::clamp (cvRound (static_cast<float> (u) + way[0]), 0, depth.cols - 1);
+    const int row =
+        std::clamp (cvRound (static_cast<float> (v) + way[1]), 0, depth.rows - 1);
+    overlap.landed += depth.at<float> (row, column) > 0.0f ? 1 : 0;
+    overlap.found += seen == Visibility::Visible ? 1 : 0;
+  }
+  return overlap;
+}
+
+PatchSums
+sumPatch (const cv::Mat& before,
+          const cv::Mat& after,
+          const SceneFlow& flow,
+          cv::Rect patch)
+{
+  PatchSums sums;
+  for (int v = patch.y; v < patch.y + patch.height; ++v)
+    for (int u = patch.x; u < patch.x + patch.width; ++u)
+      if (const float other = found (after, flow, u, v); !std::isnan (other))
+        sums.add (before.at<float> (v, u), other);
+  return sums;
+}
+
 } // namespace
 
 Overlap
-measureOverlap (const RgbdFrame& current, const SceneFlow& flow)
+measureOverlap (const RgbdFrame& current, const SceneFlow& flow, int threads)
 {
   const cv::Mat& depth = current.levels()[0].inverse_depth;
-  Overlap overlap;
-  for (int v = 0; v < flow.flow.rows; ++v)
-    for (int u = 0; u < flow.flow.cols; ++u) {
-      const auto seen = flow.visibility.at<unsigned char> (v, u);
-      const cv::Vec2f& way = flow.flow.at<cv::Vec2f> (v, u);
-      overlap.points += seen != Visibility::NoDepth ? 1 : 0;
-      if (!isKnown (way))
-        continue;
-      ++overlap.moved;
-      if (seen == Visibility::OutOfView)
-        continue;
-      const int column =
-          std::clamp (cvRound (static_cast<float> (u) + way[0]), 0, depth.cols - 1);
-      const int row =
-          std::clamp (cvRound (static_cast<float> (v) + way[1]), 0, depth.rows - 1);
-      overlap.landed += depth.at<float> (row, column) > 0.0f ? 1 : 0;
-      overlap.found += seen == Visibility::Visible ? 1 : 0;
-    }
-  return overlap;
+  std::vector<Overlap> rows (flow.flow.rows);
+  parallelFor (threads, flow.flow.rows, 16, [&] (int v) {
+    rows[v] = overlapOfRow (depth, flow, v);
+  });
+  Overlap sum;
+  for (const Overlap& row : rows) {
+    sum.points += row.points;
+    sum.moved += row.moved;
+    sum.landed += row.landed;
+    sum.found += row.found;
+  }
+  return sum;
 }
 
 int
@@ -166,6 +197,7 @@ compareTexture (const RgbdFrame& reference,
                 const RgbdFrame& current,
                 double intensity_noise,
                 const OutcomeTuning& tuning,
+                int threads,
                 const SceneFlow& flow)
 {
   const int side = tuning.patch;
@@ -173,19 +205,19 @@ compareTexture (const RgbdFrame& reference,
   const cv::Mat& after = current.levels()[0].intensity;
   if (before.empty() || after.empty())
     return {};
-  std::vector<double> values;
-  for (int top = 0; top + side <= before.rows; top += side)
-    for (int left = 0; left + side <= before.cols; left += side) {
-      PatchSums sums;
-      for (int v = top; v < top + side; ++v)
-        for (int u = left; u < left + side; ++u)
-          if (const float other = found (after, flow, u, v); !std::isnan (other))
-            sums.add (before.at<float> (v, u), other);
-      if (const double c = correlation (
-              sums, tuning.patch_seen, tuning.significant * intensity_noise);
-          !std::isnan (c))
-        values.push_back (c);
-    }
+  const int columns = before.cols / side;
+  std::vector<double> values (static_cast<std::size_t> (columns) *
+                              (before.rows / side));
+  parallelFor (threads, static_cast<int> (values.size()), 64, [&] (int i) {
+    const cv::Rect patch (i % columns * side, i / columns * side, side, side);
+    values[i] = correlation (sumPatch (before, after, flow, patch),
+                             tuning.patch_seen,
+                             tuning.significant * intensity_noise);
+  });
+  values.erase (std::remove_if (values.begin(),
+                                values.end(),
+                                [] (double value) { return std::isnan (value); }),
+                values.end());
   if (values.empty())
     return {};
   return {static_cast<int> (values.size()), median (values)};

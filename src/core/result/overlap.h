@@ -18,7 +18,7 @@ struct Overlap {
 
 /** \brief Counts. \param flow with flow and visibility */
 Overlap
-measureOverlap (const RgbdFrame& current, const SceneFlow& flow);
+measureOverlap (const RgbdFrame& current, const SceneFlow& flow, int threads);
 
 /** \brief Counts the points that would stand before what the other frame measures where
  * they land: it could not have seen that through them. Points behind it may be hidden.
@@ -50,6 +50,7 @@ compareTexture (const RgbdFrame& reference,
                 const RgbdFrame& current,
                 double intensity_noise,
                 const OutcomeTuning& tuning,
+                int threads,
                 const SceneFlow& flow);
 
 } // namespace pcl_msf

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/solve/window_solve.h"
 
+#include "core/base/meanwhile.h"
 #include "core/base/parallel_for.h"
 #include "core/bodies/body_assignment.h"
 #include "core/bodies/body_merging.h"
@@ -184,10 +185,10 @@ WindowSolve::prepareUpcoming()
     return;
   PointOptions options = pointOptions (scene_, upcoming_level_);
   options.threads = 1;
-  upcoming_ = std::async (
-      std::launch::async, [this, options, labels = carryLabels (upcoming_level_)] {
-        return prepareLevel (scene_, options.level, labels, options);
-      });
+  upcoming_ = meanwhile (scene_.threads,
+                         [this, options, labels = carryLabels (upcoming_level_)] {
+                           return prepareLevel (scene_, options.level, labels, options);
+                         });
 }
 
 void

@@ -123,6 +123,7 @@ WindowSolve::concludeReport (MultiframeSceneFlow& result)
                                        frames_[f],
                                        scene_.noise.intensity,
                                        scene_.tuning.result.outcome,
+                                       scene_.threads,
                                        result.frames[f]));
     judgements.back().frame = isPair() ? -1 : f;
   }

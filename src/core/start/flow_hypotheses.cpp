@@ -201,8 +201,7 @@ estimateOpticalFlow (const RgbdFrame& reference,
 CoarseFlow
 estimateDepthFlow (const RgbdFrame& reference,
                    const RgbdFrame& current,
-                   const FlowTuning& tuning,
-                   int threads)
+                   const FlowTuning& tuning)
 {
   const int level = std::min<int> ({1,
                                     static_cast<int> (reference.levels().size()) - 1,
@@ -217,7 +216,7 @@ estimateDepthFlow (const RgbdFrame& reference,
   first.convertTo (gray_first, CV_8U, scale);
   second.convertTo (gray_second, CV_8U, scale);
   CoarseFlow result{{}, level + 1};
-  withThreads (threads, [&] {
+  inThisThread ([&] {
     result.flow = matchHalves (
         gray_first, gray_second, tuning.quarter_depth_width, tuning.quarter_height);
   });

@@ -52,12 +52,12 @@ estimateOpticalFlow (const RgbdFrame& reference,
                      int threads);
 
 /** \brief The same on the images of inverse depth, at a quarter: follows thin and
- * textureless things in front of a background, and frames without colour. */
+ * textureless things in front of a background, and frames without colour. By the
+ * calling thread alone. */
 CoarseFlow
 estimateDepthFlow (const RgbdFrame& reference,
                    const RgbdFrame& current,
-                   const FlowTuning& tuning,
-                   int threads);
+                   const FlowTuning& tuning);
 
 /** \brief Lifts optical flow by depth and fits rigid motions (robustly).
  * \param samples points of the reference at a level

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/start/pair_start.h"
 
+#include "core/base/meanwhile.h"
 #include "core/frame/light_change.h"
 #include "core/segments/segment_graph.h"
 #include "core/segments/surface_links.h"
@@ -44,6 +45,11 @@ PairStart::run (const cv::Mat& labels,
                 const RigidPose& guess,
                 const std::vector<RigidPose>& given)
 {
+  std::future<CoarseFlow> depth_flow;
+  if (solver_.flow_proposals && given.empty())
+    depth_flow = meanwhile (scene_.threads, [this] {
+      return estimateDepthFlow (reference_, current_, scene_.tuning.start.flow);
+    });
   SegmentPixels points =
       probePoints (reference_.levels()[at], labels, scene_, pointOptions (scene_, at));
   linkSegments (labels, at, points);
@@ -51,7 +57,7 @@ PairStart::run (const cv::Mat& labels,
   optical_ = {};
   if (solver_.flow_proposals && reference_.hasIntensity()) {
     optical_ = estimateOpticalFlow (
-        reference_, current_, scene_.tuning.start.flow, scene_.threads);
+        reference_, current_, scene_.tuning.start.flow, scene_.threads - 1);
     flow = liftOptical (optical_, at, guess, points);
   }
   if (!given.empty())
@@ -68,11 +74,8 @@ PairStart::run (const cv::Mat& labels,
   suggest (probes, at, flow, poses);
   const std::vector<char> wanted = unexplained (probes, poses);
   if (solver_.flow_proposals &&
-      std::find (wanted.begin(), wanted.end(), 1) != wanted.end()) {
-    const CoarseFlow depth = estimateDepthFlow (
-        reference_, current_, scene_.tuning.start.flow, scene_.threads);
-    suggest (probes, at, lift (depth, at, guess, points, wanted), poses);
-  }
+      std::find (wanted.begin(), wanted.end(), 1) != wanted.end())
+    suggest (probes, at, lift (depth_flow.get(), at, guess, points, wanted), poses);
   if (!optical_.flow.empty() && lostShare (probes, poses) > scene_.tuning.start.lost &&
       (flow.bodies.empty() || !followsFlow (flow.samples, flow.bodies.front())))
     suggestFarMotions (optical_, at, guess, points, probes, poses);

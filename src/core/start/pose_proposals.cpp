@@ -71,7 +71,7 @@ PoseProposals::enterPoses (const std::vector<RigidPose>& poses)
     if (moved_[k] == 0)
       return;
     present_[k] = UnpackedPose (poses[k]);
-    probed_[k] = probes_.probe (k, poses[k]);
+    probed_[k] = probes_.probe (k, present_[k]);
     visible_[k] = probed_[k].hidden < tuning_.mostly_hidden;
   });
 }
@@ -100,30 +100,30 @@ PoseProposals::improve (int segment,
   bool changed = false;
   const double alone = tuning_.own_penalty * probes_.totalWeight (segment);
   std::vector<const RigidPose*> tried; // neighbours often share a motion
-  const auto offer = [&] (const RigidPose& candidate, double extra) {
-    const auto same = [&] (const RigidPose* other) {
-      return other->parameters == candidate.parameters;
-    };
-    if (same (&pose) || std::any_of (tried.begin(), tried.end(), same))
-      return;
-    if (extra == 0.0)
-      tried.push_back (&candidate);
-    const double c =
-        cost (segment, probes_.probe (segment, candidate), UnpackedPose (candidate)) +
-        extra;
-    if (c < best) {
-      best = c;
-      pose = candidate;
-      changed = true;
-    }
-  };
+  const auto offer =
+      [&] (const RigidPose& candidate, const UnpackedPose& unpacked, double extra) {
+        const auto same = [&] (const RigidPose* other) {
+          return other->parameters == candidate.parameters;
+        };
+        if (same (&pose) || std::any_of (tried.begin(), tried.end(), same))
+          return;
+        if (extra == 0.0)
+          tried.push_back (&candidate);
+        const double c =
+            cost (segment, probes_.probe (segment, unpacked), unpacked) + extra;
+        if (c < best) {
+          best = c;
+          pose = candidate;
+          changed = true;
+        }
+      };
   for (const Neighbor& n : neighbors_[segment])
-    offer (poses[n.segment], 0.0);
+    offer (poses[n.segment], present_[n.segment], 0.0);
   if (first) {
     for (const RigidPose& candidate : own_[segment])
-      offer (candidate, alone);
-    for (const RigidPose& candidate : common_)
-      offer (candidate, 0.0);
+      offer (candidate, candidate, alone);
+    for (std::size_t i = 0; i < common_.size(); ++i)
+      offer (common_[i], unpacked_common_[i], 0.0);
   }
   return changed;
 }
@@ -135,6 +135,7 @@ PoseProposals::run (int rounds, std::vector<RigidPose>& poses)
   int total = 0;
   moved_.assign (segments, 1);
   present_ = std::vector<UnpackedPose> (poses.begin(), poses.end());
+  unpacked_common_ = std::vector<UnpackedPose> (common_.begin(), common_.end());
   probed_.resize (segments);
   visible_.resize (segments);
   for (int round = 0; round < rounds; ++round) {

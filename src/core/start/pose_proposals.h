@@ -90,6 +90,7 @@ private:
   std::vector<std::vector<Neighbor>> neighbors_;
   std::vector<std::vector<RigidPose>> own_;
   std::vector<RigidPose> common_;
+  std::vector<UnpackedPose> unpacked_common_;
   double flow_worth_{0.0};
   std::vector<char> moving_;          ///< per segment: may it change? empty = all may
   std::vector<char> moved_;           ///< per segment: did it change in the last round?
