@@ -7,8 +7,9 @@
 /* The rounds of WindowSolve. */
 namespace pcl_msf {
 
-/** From coarse to fine; at the two finest levels, segments that move as one merge. The
- * finest level is about half of the work, the start a fifth. */
+/** From coarse to fine; at the two finest levels, segments that move as one merge:
+ * above the finest one before it is solved, too, as bodies are steadier than segments,
+ * and far fewer. The finest level is about half of the work, the start a fifth. */
 std::vector<WindowSolve::Round>
 WindowSolve::pairSchedule (int finest_level) const
 {
@@ -25,6 +26,8 @@ WindowSolve::pairSchedule (int finest_level) const
                 begin + (level == 0 ? 0.3 : 0.15),
                 level == coarsest ? user_.max_iterations : few};
     round.propose = round.merge = level < tuning.coarsest_level;
+    round.presort = round.rescale_noise =
+        user_.merge_bodies && 0 < level && level < coarsest;
     if (level == 0 && coarsest > 0)
       round.iterations = std::min (few, tuning.finest_iterations);
     rounds.push_back (round);

@@ -207,6 +207,7 @@ WindowSolve::round (const Round& round)
   if (round.presort && user_.merge_bodies) {
     level_->sweep (state_, DataTerm::Pass::Linearize);
     merge();
+    measureCorrelation (round.level);
   }
   if (round.rescale_noise)
     level_->rescaleBodyNoise (state_);
