@@ -23,6 +23,8 @@ listValues (SolveTuning& tuning, TunedValues& values)
       {"solve.spreads", &tuning.spreads, 0, 100},
       {"solve.enough_jumps", &tuning.enough_jumps, 0, 1},
       {"solve.start_level", &tuning.start_level, 0, 10},
+      {"solve.coarsest_share", &tuning.coarsest_share, 0.0, 10.0},
+      {"solve.spread_share", &tuning.spread_share, 0.0, 10.0},
       {"solve.later_iterations", &tuning.later_iterations, 1, 1000},
       {"solve.finest_iterations", &tuning.finest_iterations, 1, 1000},
       {"solve.align_level", &tuning.align_level, 0, 10},

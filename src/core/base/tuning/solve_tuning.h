@@ -39,9 +39,11 @@ struct SolveTuning {
   StepTuning step;
   int coarsest_level{2}; ///< the first solve of two frames: more reaches farther, and
                          ///< small things are not seen there
-  int spreads{2};        ///< how often motions spread there from segment to segment;
-                         ///< see "Motions spread at the coarsest level" in
-                         ///< DECISIONS.md
+  double coarsest_share{0.5}; ///< of the user's steps, in that solve: more is slower
+  double spread_share{0.33};  ///< of them, after motions have spread: likewise
+  int spreads{2}; ///< how often motions spread there from segment to segment;
+                  ///< see "Motions spread at the coarsest level" in
+                  ///< DECISIONS.md
   double enough_jumps{0.05}; ///< of the segments, for another solve: more is
                              ///< faster
   int start_level{1};        ///< poses are compared at half resolution; less is slower
