@@ -6,9 +6,14 @@
 
 namespace pcl_msf {
 
-BodyBlocks::BodyBlocks (const std::vector<int>& body_of, std::size_t bodies)
+BodyBlocks::BodyBlocks (const std::vector<int>& body_of,
+                        std::size_t bodies,
+                        const std::vector<char>& moving)
 : segments_of_ (bodies), blocks_ (bodies)
 {
+  for (std::size_t b = 0; b < bodies; ++b)
+    if (moving.empty() || moving[b] != 0)
+      moving_.push_back (static_cast<int> (b));
   for (std::size_t k = 0; k < body_of.size(); ++k)
     segments_of_[body_of[k]].push_back (static_cast<int> (k));
 }
@@ -16,7 +21,7 @@ BodyBlocks::BodyBlocks (const std::vector<int>& body_of, std::size_t bodies)
 void
 BodyBlocks::addTo (ceres::Problem& problem, std::vector<RigidPose>& poses) const
 {
-  for (std::size_t b = 0; b < blocks_.size(); ++b)
+  for (const int b : moving_)
     problem.AddResidualBlock (
         new SegmentBlockCost (blocks_[b]), nullptr, poses[b].parameters.data());
 }
@@ -27,7 +32,8 @@ BodyBlocks::fill (const DataTerm& data,
                   const StepReach* reach,
                   bool with_jacobians)
 {
-  parallelFor (data.threads(), static_cast<int> (blocks_.size()), 32, [&] (int b) {
+  parallelFor (data.threads(), static_cast<int> (moving_.size()), 32, [&] (int i) {
+    const int b = moving_[i];
     Matrix6 information = Matrix6::Zero();
     Vector6 gradient = Vector6::Zero();
     double cost = 0.0;

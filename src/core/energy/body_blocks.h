@@ -14,9 +14,13 @@ namespace pcl_msf {
  * callback fills. Must outlive the problem that it was added to. */
 class BodyBlocks {
 public:
-  BodyBlocks (const std::vector<int>& body_of, std::size_t bodies);
+  /** \param moving per body: may it move? Only those have blocks; empty: all */
+  BodyBlocks (const std::vector<int>& body_of,
+              std::size_t bodies,
+              const std::vector<char>& moving);
 
-  /** \brief Adds a residual block per body. \param poses per body: the unknowns */
+  /** \brief Adds a residual block per body that may move. \param poses per body: the
+   * unknowns */
   void
   addTo (ceres::Problem& problem, std::vector<RigidPose>& poses) const;
 
@@ -29,6 +33,7 @@ public:
         bool with_jacobians);
 
 private:
+  std::vector<int> moving_;                   ///< bodies
   std::vector<std::vector<int>> segments_of_; ///< per body
   std::vector<CompressedBlock> blocks_;       ///< per body
 };

@@ -7,8 +7,10 @@ namespace pcl_msf {
 CeresProblem::CeresProblem (Energy& energy, WindowState& state)
 : energy_ (energy)
 , state_ (state)
-, blocks_ (energy.level().used().size(), BodyBlocks (state.body_of, state.bodies()))
+, blocks_ (energy.level().used().size(),
+           BodyBlocks (state.body_of, state.bodies(), energy.moving()))
 , poses_ (state.poses.size())
+, tried_ (state.poses)
 {
   unpackPoses();
   ceres::Problem::Options options;

@@ -238,7 +238,7 @@ Energy::addCouplings (ceres::Problem& problem,
   for (std::size_t i = 0; i < scene_.links.size(); ++i) {
     const int j = state.body_of[scene_.links[i].first];
     const int h = state.body_of[scene_.links[i].second];
-    if (j == h)
+    if (j == h || !(moves (j) || moves (h)))
       continue;
     const double worth = share * scene_.links[i].strength;
     for (const int p : scene_.used) {
@@ -254,15 +254,18 @@ Energy::addCouplings (ceres::Problem& problem,
             nullptr,
             state.poses[p][j].parameters.data(),
             state.poses[p][h].parameters.data());
-        continue;
       }
-      problem.AddResidualBlock (
-          new PoseCouplingCost (
-              link, scale, parameters_.pose_difference, &poses[p][j], &poses[p][h]),
-          nullptr,
-          state.poses[p][j].parameters.data(),
-          state.poses[p][h].parameters.data(),
-          &state.weights[i]);
+      else
+        problem.AddResidualBlock (
+            new PoseCouplingCost (
+                link, scale, parameters_.pose_difference, &poses[p][j], &poses[p][h]),
+            nullptr,
+            state.poses[p][j].parameters.data(),
+            state.poses[p][h].parameters.data(),
+            &state.weights[i]);
+      for (const int body : {j, h})
+        if (!moves (body))
+          problem.SetParameterBlockConstant (state.poses[p][body].parameters.data());
     }
   }
 }
@@ -276,8 +279,10 @@ Energy::addTo (ceres::Problem& problem,
     addCouplings (problem, state, poses);
   if (concatenation_weight_ > 0.0)
     forEachConcatenation (
-        state, [&] (int, std::unique_ptr<ConcatenationCost> cost, const auto& blocks) {
-          problem.AddResidualBlock (cost.release(), nullptr, blocks);
+        state,
+        [&] (int body, std::unique_ptr<ConcatenationCost> cost, const auto& blocks) {
+          if (moves (body))
+            problem.AddResidualBlock (cost.release(), nullptr, blocks);
         });
 }
 

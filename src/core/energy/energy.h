@@ -49,6 +49,20 @@ public:
           double concatenation_weight,
           const WindowState& state);
 
+  /** \brief Lets only some bodies move; before, all do. \param moving per body: may it
+   * move? */
+  void
+  letMove (std::vector<char> moving)
+  {
+    moving_ = std::move (moving);
+  }
+  /** \brief What letMove () was given; empty: all move. */
+  const std::vector<char>&
+  moving () const
+  {
+    return moving_;
+  }
+
   /** \brief The energy by term; linearizes the data terms at the state. */
   EnergyCost
   evaluate (const WindowState& state);
@@ -72,7 +86,8 @@ public:
   /** \brief Adds what ties poses to a problem over the state: one block per link
    * between bodies and pair, whose weight, unless eliminated, all pairs share and whose
    * prior only the first pair's block carries; per non-adjacent pair one concatenation
-   * per body. \param poses of the state as it is evaluated, per pair and body */
+   * per body. Bodies that may not move are constant, what ties them alone is left out.
+   * \param poses of the state as it is evaluated, per pair and body */
   void
   addTo (ceres::Problem& problem, WindowState& state, const CoupledPoses& poses) const;
 
@@ -108,6 +123,11 @@ public:
   }
 
 private:
+  bool
+  moves (int body) const
+  {
+    return moving_.empty() || moving_[body] != 0;
+  }
   double
   unit (double depth) const;
   double
@@ -134,6 +154,7 @@ private:
   const WindowScene& scene_;
   const EnergyParameters& parameters_;
   double concatenation_weight_;
+  std::vector<char> moving_;                    ///< per body; empty: all
   std::vector<std::vector<SegmentLink>> links_; ///< per frame that a pair starts from
   std::vector<std::vector<int>> segments_of_body_;
   std::vector<std::vector<BodyShape>> shapes_; ///< per frame, per body; empty when

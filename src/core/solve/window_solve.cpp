@@ -197,7 +197,8 @@ WindowSolve::round (const Round& round)
   if (round.anew)
     enterLevel (round);
   prepareUpcoming();
-  if (round.spread && !spreadMotions()) {
+  std::vector<char> moving; // empty: all
+  if (round.spread && (moving = spreadMotions()).empty()) {
     if (round.measure)
       measureCorrelation (round.level);
     return;
@@ -212,7 +213,7 @@ WindowSolve::round (const Round& round)
   if (round.rescale_noise)
     level_->rescaleBodyNoise (state_);
   monitor_.enter (round.stage, round.level, round.begin, round.end, round.iterations);
-  minimize (round.iterations);
+  minimize (round.iterations, moving);
   if (round.measure)
     measureCorrelation (round.level);
   if (round.merge && user_.merge_bodies) {
@@ -235,10 +236,12 @@ WindowSolve::round (const Round& round)
       .relaxWeights (state_);
 }
 
+/** \param moving per body: may it move? empty: all */
 void
-WindowSolve::minimize (int iterations)
+WindowSolve::minimize (int iterations, const std::vector<char>& moving)
 {
   Energy energy (*level_, scene_, energy_, multiframe_.concatenation_weight, state_);
+  energy.letMove (moving);
   SolverParameters solver = solver_;
   if (!isPair())
     solver.function_tolerance *= scene_.tuning.solve.tolerance_share;
@@ -250,12 +253,23 @@ WindowSolve::minimize (int iterations)
       endOfSolve (outcome.settled (scene_.tuning.solve.settled), outcome.failed);
 }
 
-/** Lost segments try their neighbours' motions. \return did enough of them jump? */
-bool
+/** Lost segments try their neighbours' motions. \return per segment: did it jump, or
+ * one that it is linked with? Empty where few did */
+std::vector<char>
 WindowSolve::spreadMotions()
 {
+  const std::vector<RigidPose> before = state_.poses[0];
   const int jumps = pair_start_.proposeToLost (*level_, state_.poses[0]);
-  return jumps >= scene_.tuning.solve.enough_jumps * scene_.segments;
+  if (jumps == 0 || jumps < scene_.tuning.solve.enough_jumps * scene_.segments)
+    return {};
+  const auto jumped = [&] (int k) {
+    return before[k].parameters != state_.poses[0][k].parameters;
+  };
+  std::vector<char> beside (scene_.segments, 0);
+  for (const SegmentLink& link : scene_.links)
+    if (jumped (link.first) || jumped (link.second))
+      beside[link.first] = beside[link.second] = 1;
+  return beside;
 }
 
 /** What the residuals are worth, from those of the present bodies. */

@@ -176,8 +176,8 @@ private:
   void
   fuseDepth ();
   void
-  minimize (int iterations);
-  bool
+  minimize (int iterations, const std::vector<char>& moving = {});
+  std::vector<char>
   spreadMotions ();
   void
   measureCorrelation (int level);

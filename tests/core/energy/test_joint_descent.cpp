@@ -87,6 +87,40 @@ TEST_P (Descent, ALostBodyDoesNotHoldUpTheOther)
         << p;
 }
 
+TEST_P (Descent, BodiesThatMayNotMoveStayAndTheOthersAreDrawnToThem)
+{
+  WindowState state = moved (0, 0.01);
+  for (std::size_t p = 0; p < state.poses.size(); ++p)
+    state.poses[p][1].parameters[4] += 0.01;
+  const WindowState before = state;
+  energy_.letMove ({1, 0});
+  energy_.relaxWeights (state);
+  const double cost = energy_.evaluate (state).total();
+  JointDescent descent (energy_, solver_, state);
+  for (int i = 0; i < 8; ++i)
+    descent.step (kForever);
+  EXPECT_LT (descent.cost(), cost);
+  const Eigen::Vector3d at = scene_.window.centroids[0];
+  for (std::size_t p = 0; p < state.poses.size(); ++p) {
+    EXPECT_EQ (state.poses[p][1].parameters, before.poses[p][1].parameters) << p;
+    EXPECT_LT ((state.poses[p][0] * at - scene_.state.poses[p][0] * at).norm(), 0.004)
+        << p;
+  }
+}
+
+TEST_P (Descent, WithoutBodiesThatMayMoveNothingChanges)
+{
+  WindowState state = moved (0, 0.01);
+  const WindowState before = state;
+  energy_.letMove ({0, 0});
+  energy_.relaxWeights (state);
+  energy_.evaluate (state);
+  JointDescent (energy_, solver_, state).step (kForever);
+  for (std::size_t p = 0; p < state.poses.size(); ++p)
+    for (int b = 0; b < 2; ++b)
+      EXPECT_EQ (state.poses[p][b].parameters, before.poses[p][b].parameters);
+}
+
 INSTANTIATE_TEST_SUITE_P (Frames, Descent, testing::Values (2, 3));
 
 } // namespace
