@@ -78,6 +78,8 @@ private:
 constexpr unsigned char kRight = 1;
 constexpr unsigned char kDown = 2;
 
+constexpr int kStrip = 32; // rows that a thread works on at a time
+
 cv::Mat
 findConnections (const cv::Mat& labels,
                  const TangentPlanes& planes,
@@ -112,10 +114,10 @@ struct Border {
 /** The parts of an image, numbered by their first pixels. */
 class Parts {
 public:
-  Parts (const cv::Mat& labels, const cv::Mat& connections)
+  Parts (const cv::Mat& labels, const cv::Mat& connections, int threads)
   : part_ (labels.size(), CV_32SC1, cv::Scalar (-1)), sets_ (0)
   {
-    DisjointSets pixels = connect (labels, connections);
+    DisjointSets pixels = connect (connections, threads);
     for (int y = 0; y < labels.rows; ++y) {
       const int* row = labels.ptr<int> (y);
       int* part = part_.ptr<int> (y);
@@ -138,48 +140,55 @@ public:
     sets_ = DisjointSets (static_cast<int> (first_.size()));
   }
 
-  int
-  partOf (int y, int x)
-  {
-    return sets_.root (part_.ptr<int> (y)[x]);
-  }
-  int
-  firstPixel (int part) const
-  {
-    return first_[part];
-  }
-  int
-  size (int part) const
-  {
-    return size_[part];
-  }
-
+  /** All edges that a small part has with others, in raster order. */
   std::vector<Border>
-  borders (const TangentPlanes& planes, int min_points) const;
+  borders (const TangentPlanes& planes, int min_points, int threads) const;
+  /** One round of giving small parts to their best neighbour. \return how many */
   int
   absorbSmall (const std::vector<Border>& borders, int min_points);
+  /** Of each pixel the first one of its part; small parts go back to one common part
+   * per label. */
+  cv::Mat
+  numbered (const cv::Mat& labels, int min_points, int threads);
 
 private:
   /** Runs of connected pixels of a row, then rows with each other. */
   static DisjointSets
-  connect (const cv::Mat& labels, const cv::Mat& connections)
+  connect (const cv::Mat& connections, int threads)
   {
-    DisjointSets sets (static_cast<int> (labels.total()));
-    for (int y = 0; y < labels.rows; ++y) {
-      const unsigned char* row = connections.ptr<unsigned char> (y);
-      const unsigned char* next =
-          y + 1 < labels.rows ? connections.ptr<unsigned char> (y + 1) : nullptr;
-      const int begin = y * labels.cols;
-      for (int x = 0; x < labels.cols; ++x) {
-        if (row[x] & kRight)
-          sets.join (begin + x, begin + x + 1);
-        const bool known = x > 0 && (row[x - 1] & kDown) && (row[x - 1] & kRight) &&
-                           (next && (next[x - 1] & kRight));
-        if ((row[x] & kDown) && !known)
-          sets.join (begin + x, begin + labels.cols + x);
-      }
-    }
+    DisjointSets sets (static_cast<int> (connections.total()));
+    const int strips = (connections.rows + kStrip - 1) / kStrip;
+    parallelFor (threads, strips, 1, [&] (int strip) {
+      const int end = std::min ((strip + 1) * kStrip, connections.rows);
+      for (int y = strip * kStrip; y < end; ++y)
+        joinRow (connections, y, sets);
+      for (int y = strip * kStrip; y + 1 < end; ++y)
+        joinRowWithNext (connections, y, sets);
+    });
+    for (int y = kStrip - 1; y + 1 < connections.rows; y += kStrip)
+      joinRowWithNext (connections, y, sets);
     return sets;
+  }
+  static void
+  joinRow (const cv::Mat& connections, int y, DisjointSets& sets)
+  {
+    const unsigned char* row = connections.ptr<unsigned char> (y);
+    for (int x = 0; x + 1 < connections.cols; ++x)
+      if (row[x] & kRight)
+        sets.join (y * connections.cols + x, y * connections.cols + x + 1);
+  }
+  static void
+  joinRowWithNext (const cv::Mat& connections, int y, DisjointSets& sets)
+  {
+    const unsigned char* row = connections.ptr<unsigned char> (y);
+    const unsigned char* next = connections.ptr<unsigned char> (y + 1);
+    const int begin = y * connections.cols;
+    for (int x = 0; x < connections.cols; ++x) {
+      const bool known = x > 0 && (row[x - 1] & kDown) && (row[x - 1] & kRight) &&
+                         (next[x - 1] & kRight);
+      if ((row[x] & kDown) && !known)
+        sets.join (begin + x, begin + connections.cols + x);
+    }
   }
 
   cv::Mat part_; ///< CV_32SC1, before any was absorbed; -1 = none
@@ -188,30 +197,31 @@ private:
   DisjointSets sets_;
 };
 
-/** All edges that a small part has with others, in raster order. */
 std::vector<Border>
-Parts::borders (const TangentPlanes& planes, int min_points) const
+Parts::borders (const TangentPlanes& planes, int min_points, int threads) const
 {
-  std::vector<Border> result;
-  const auto look = [&] (int part, int other, int x, int y, int x1, int y1) {
-    if (part >= 0 && other >= 0 && part != other &&
-        (size_[part] < min_points || size_[other] < min_points))
-      result.push_back ({part, other, planes.distance (x, y, x1, y1)});
-  };
-  for (int y = 0; y < part_.rows; ++y) {
+  std::vector<std::vector<Border>> of_row (part_.rows);
+  parallelFor (threads, part_.rows, kStrip, [&] (int y) {
+    const auto look = [&] (int part, int other, int x, int x1, int y1) {
+      if (part >= 0 && other >= 0 && part != other &&
+          (size_[part] < min_points || size_[other] < min_points))
+        of_row[y].push_back ({part, other, planes.distance (x, y, x1, y1)});
+    };
     const int* row = part_.ptr<int> (y);
     const int* next = y + 1 < part_.rows ? part_.ptr<int> (y + 1) : nullptr;
     for (int x = 0; x < part_.cols; ++x) {
       if (x + 1 < part_.cols)
-        look (row[x], row[x + 1], x, y, x + 1, y);
+        look (row[x], row[x + 1], x, x + 1, y);
       if (next)
-        look (row[x], next[x], x, y, x, y + 1);
+        look (row[x], next[x], x, x, y + 1);
     }
-  }
+  });
+  std::vector<Border> result;
+  for (const std::vector<Border>& borders : of_row)
+    result.insert (result.end(), borders.begin(), borders.end());
   return result;
 }
 
-/** One round of giving small parts to their best neighbour. \return how many */
 int
 Parts::absorbSmall (const std::vector<Border>& borders, int min_points)
 {
@@ -247,6 +257,28 @@ Parts::absorbSmall (const std::vector<Border>& borders, int min_points)
   return absorbed;
 }
 
+cv::Mat
+Parts::numbered (const cv::Mat& labels, int min_points, int threads)
+{
+  std::vector<int> number (first_.size());
+  for (std::size_t part = 0; part < number.size(); ++part) {
+    const int root = sets_.root (static_cast<int> (part));
+    number[part] = size_[root] >= min_points ? first_[root] : -1;
+  }
+  const int pixels = labels.rows * labels.cols;
+  cv::Mat result (labels.size(), CV_32SC1);
+  parallelFor (threads, labels.rows, kStrip, [&] (int y) {
+    const int* row = labels.ptr<int> (y);
+    const int* part = part_.ptr<int> (y);
+    int* out = result.ptr<int> (y);
+    for (int x = 0; x < labels.cols; ++x)
+      out[x] = row[x] < 0             ? -1
+               : number[part[x]] >= 0 ? number[part[x]]
+                                      : pixels + row[x];
+  });
+  return result;
+}
+
 } // namespace
 
 cv::Mat
@@ -259,25 +291,13 @@ connectSegments (const cv::Mat& labels,
 {
   const TangentPlanes planes (level, inverse_depth_noise, tuning, threads);
   Parts parts (labels,
-               findConnections (labels, planes, tuning.connections.stop, threads));
-  const std::vector<Border> borders = parts.borders (planes, min_points);
+               findConnections (labels, planes, tuning.connections.stop, threads),
+               threads);
+  const std::vector<Border> borders = parts.borders (planes, min_points, threads);
   for (int round = 0; round < tuning.connections.rounds; ++round)
     if (parts.absorbSmall (borders, min_points) == 0)
       break;
-  // Isolated small parts go back to one common part per label.
-  cv::Mat result (labels.size(), CV_32SC1);
-  const int pixels = labels.rows * labels.cols;
-  for (int y = 0; y < labels.rows; ++y) {
-    const int* row = labels.ptr<int> (y);
-    int* out = result.ptr<int> (y);
-    for (int x = 0; x < labels.cols; ++x) {
-      const int part = row[x] < 0 ? -1 : parts.partOf (y, x);
-      out[x] = part < 0                          ? -1
-               : parts.size (part) >= min_points ? parts.firstPixel (part)
-                                                 : pixels + row[x];
-    }
-  }
-  return result;
+  return parts.numbered (labels, min_points, threads);
 }
 
 } // namespace pcl_msf

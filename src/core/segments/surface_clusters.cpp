@@ -69,9 +69,18 @@ private:
   void
   update (int stride);
   void
+  addRow (int y, int stride, int first_label, std::vector<Sums>& sums) const;
+  void
+  moveTo (const Sums& sums, Cluster& cluster) const;
+  void
   assignRow (int y, int stride);
   void
   findNearest (int y, int column, int n, Run& run) const;
+  int
+  rowOf (int y) const
+  {
+    return std::min (rows_ - 1, y * rows_ / level_.height());
+  }
   int
   columnOf (int x) const
   {
@@ -124,7 +133,7 @@ Clusterer::seed()
 void
 Clusterer::findNearest (int y, int column, int n, Run& run) const
 {
-  const int row = std::min (rows_ - 1, y * rows_ / level_.height());
+  const int row = rowOf (y);
   const float inverse_step = 1.0f / step_;
   const float plane_scale = tuning_.clusters.plane_scale;
   const float plane_limit = tuning_.clusters.plane_limit;
@@ -190,59 +199,73 @@ Clusterer::assign (int stride)
   parallelFor (threads_, rows, 8, [&] (int row) { assignRow (row * stride, stride); });
 }
 
+/** A row of clusters at a time: their pixels are in their own and the next rows of the
+ * seeds' grid, see findNearest (). */
 void
 Clusterer::update (int stride)
 {
-  std::vector<Sums> sums (clusters_.size());
-  for (int y = 0; y < level_.height(); y += stride) {
-    const int* labels = labels_.ptr<int> (y);
-    const float* inverse_depth = level_.inverse_depth.ptr<float> (y);
-    for (int x = 0; x < level_.width(); x += stride) {
-      const int label = labels[x];
-      if (label < 0)
-        continue;
-      const Cluster& k = clusters_[label];
-      const float w = inverse_depth[x];
-      const double dx = x - k.x;
-      const double dy = y - k.y;
-      const auto off = static_cast<float> (w - k.w - k.du * dx - k.dv * dy);
-      if (k.w > 0.0f && std::abs (off) > tuning_.clusters.outlier *
-                                             surfaceTolerance (w, noise_, tuning_))
-        continue;
-      Sums& s = sums[label];
-      s.n += 1;
-      s.x += dx;
-      s.y += dy;
-      s.w += w;
-      s.i += intensityAt (x, y);
-      s.xx += dx * dx;
-      s.xy += dx * dy;
-      s.yy += dy * dy;
-      s.xw += dx * w;
-      s.yw += dy * w;
-    }
-  }
-  for (std::size_t i = 0; i < clusters_.size(); ++i) {
-    const Sums& s = sums[i];
-    if (s.n < 3)
+  parallelFor (threads_, rows_, 1, [&] (int row) {
+    std::vector<Sums> sums (columns_);
+    for (int y = 0; y < level_.height(); y += stride)
+      if (std::abs (rowOf (y) - row) <= 1)
+        addRow (y, stride, row * columns_, sums);
+    for (int column = 0; column < columns_; ++column)
+      moveTo (sums[column], clusters_[row * columns_ + column]);
+  });
+}
+
+/** Adds the pixels of row y that have one of the labels from the first one on. */
+void
+Clusterer::addRow (int y, int stride, int first_label, std::vector<Sums>& sums) const
+{
+  const int* labels = labels_.ptr<int> (y);
+  const float* inverse_depth = level_.inverse_depth.ptr<float> (y);
+  for (int x = 0; x < level_.width(); x += stride) {
+    const int label = labels[x];
+    if (label < first_label || label >= first_label + columns_)
       continue;
-    Cluster& k = clusters_[i];
-    const double mx = s.x / s.n;
-    const double my = s.y / s.n;
-    const double mw = s.w / s.n;
-    const double xx = s.xx / s.n - mx * mx + 0.1;
-    const double yy = s.yy / s.n - my * my + 0.1;
-    const double xy = s.xy / s.n - mx * my;
-    const double xw = s.xw / s.n - mx * mw;
-    const double yw = s.yw / s.n - my * mw;
-    const double det = xx * yy - xy * xy;
-    k = {static_cast<float> (k.x + mx),
-         static_cast<float> (k.y + my),
-         static_cast<float> (mw),
-         static_cast<float> ((yy * xw - xy * yw) / det),
-         static_cast<float> ((xx * yw - xy * xw) / det),
-         static_cast<float> (s.i / s.n)};
+    const Cluster& k = clusters_[label];
+    const float w = inverse_depth[x];
+    const double dx = x - k.x;
+    const double dy = y - k.y;
+    const auto off = static_cast<float> (w - k.w - k.du * dx - k.dv * dy);
+    if (k.w > 0.0f && std::abs (off) > tuning_.clusters.outlier *
+                                           surfaceTolerance (w, noise_, tuning_))
+      continue;
+    Sums& s = sums[label - first_label];
+    s.n += 1;
+    s.x += dx;
+    s.y += dy;
+    s.w += w;
+    s.i += intensityAt (x, y);
+    s.xx += dx * dx;
+    s.xy += dx * dy;
+    s.yy += dy * dy;
+    s.xw += dx * w;
+    s.yw += dy * w;
   }
+}
+
+void
+Clusterer::moveTo (const Sums& s, Cluster& k) const
+{
+  if (s.n < 3)
+    return;
+  const double mx = s.x / s.n;
+  const double my = s.y / s.n;
+  const double mw = s.w / s.n;
+  const double xx = s.xx / s.n - mx * mx + 0.1;
+  const double yy = s.yy / s.n - my * my + 0.1;
+  const double xy = s.xy / s.n - mx * my;
+  const double xw = s.xw / s.n - mx * mw;
+  const double yw = s.yw / s.n - my * mw;
+  const double det = xx * yy - xy * xy;
+  k = {static_cast<float> (k.x + mx),
+       static_cast<float> (k.y + my),
+       static_cast<float> (mw),
+       static_cast<float> ((yy * xw - xy * yw) / det),
+       static_cast<float> ((xx * yw - xy * xw) / det),
+       static_cast<float> (s.i / s.n)};
 }
 
 } // namespace

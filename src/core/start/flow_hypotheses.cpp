@@ -19,32 +19,50 @@ namespace {
 
 constexpr int kLeastFlowSide = 16; // pixels: two patches
 
+std::vector<FlowSample>
+liftSegment (const CoarseFlow& flow,
+             const RgbdFrame& current,
+             const SegmentPixels& pixels,
+             int segment,
+             int level)
+{
+  const cv::Mat& target = current.levels()[0].inverse_depth;
+  const int width = current.levels()[level].width();
+  std::vector<FlowSample> samples;
+  samples.reserve (pixels.size (segment));
+  for (int i = pixels.begin[segment]; i < pixels.begin[segment + 1]; ++i) {
+    const int x = std::min ((pixels.pixel[i] % width) << level, target.cols - 1);
+    const int y = std::min ((pixels.pixel[i] / width) << level, target.rows - 1);
+    const cv::Vec2f f = flow.at (x, y);
+    const float u = static_cast<float> (x) + f[0];
+    const float v = static_cast<float> (y) + f[1];
+    if (!(u >= 0.0f && v >= 0.0f && u <= static_cast<float> (target.cols - 1) &&
+          v <= static_cast<float> (target.rows - 1)))
+      continue;
+    const float w = target.at<float> (cvRound (v), cvRound (u));
+    samples.push_back ({pixels.x[i], pixels.y[i], pixels.z[i], u, v, w});
+  }
+  return samples;
+}
+
 SampleTable
 lift (const CoarseFlow& flow,
       const RgbdFrame& current,
       const SegmentPixels& pixels,
       const std::vector<char>& wanted,
-      int level)
+      int level,
+      int threads)
 {
-  const cv::Mat& target = current.levels()[0].inverse_depth;
-  const int width = current.levels()[level].width();
+  std::vector<std::vector<FlowSample>> of_segment (pixels.segments());
+  parallelFor (threads, pixels.segments(), 8, [&] (int k) {
+    if (wanted[k])
+      of_segment[k] = liftSegment (flow, current, pixels, k, level);
+  });
   SampleTable table;
   table.begin.push_back (0);
   table.samples.reserve (pixels.pixel.size());
-  for (int k = 0; k < pixels.segments(); ++k) {
-    const int end = wanted[k] ? pixels.begin[k + 1] : pixels.begin[k];
-    for (int i = pixels.begin[k]; i < end; ++i) {
-      const int x = std::min ((pixels.pixel[i] % width) << level, target.cols - 1);
-      const int y = std::min ((pixels.pixel[i] / width) << level, target.rows - 1);
-      const cv::Vec2f f = flow.at (x, y);
-      const float u = static_cast<float> (x) + f[0];
-      const float v = static_cast<float> (y) + f[1];
-      if (!(u >= 0.0f && v >= 0.0f && u <= static_cast<float> (target.cols - 1) &&
-            v <= static_cast<float> (target.rows - 1)))
-        continue;
-      const float w = target.at<float> (cvRound (v), cvRound (u));
-      table.samples.push_back ({pixels.x[i], pixels.y[i], pixels.z[i], u, v, w});
-    }
+  for (const std::vector<FlowSample>& samples : of_segment) {
+    table.samples.insert (table.samples.end(), samples.begin(), samples.end());
     table.begin.push_back (static_cast<int> (table.samples.size()));
   }
   return table;
@@ -267,7 +285,7 @@ hypothesesFromFlow (const CoarseFlow& flow,
                     int threads)
 {
   FlowHypotheses result;
-  result.samples = lift (flow, current, pixels, wanted, level);
+  result.samples = lift (flow, current, pixels, wanted, level, threads);
   const SampleTable& table = result.samples;
   const RigidFitOptions options{current.camera(),
                                 tuning.flow.noise * noise.inverse_depth,
