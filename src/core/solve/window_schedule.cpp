@@ -8,13 +8,6 @@
 /* The rounds of WindowSolve. */
 namespace pcl_msf {
 
-/** \param share of the steps that the user allows a level */
-int
-WindowSolve::stepsOf (double share) const
-{
-  return static_cast<int> (std::ceil (share * user_.max_iterations));
-}
-
 /** From coarse to fine; at the two finest levels, segments that move as one merge:
  * above the finest one before it is solved, too, as bodies are steadier than segments,
  * and far fewer. The finest level is about half of the work, the start a fifth. */
@@ -32,7 +25,7 @@ WindowSolve::pairSchedule (int finest_level) const
                 level,
                 begin,
                 begin + (level == 0 ? 0.3 : 0.15),
-                level == coarsest ? stepsOf (tuning.coarsest_share) : few};
+                level == coarsest ? user_.max_iterations : few};
     round.propose = round.merge = level < tuning.coarsest_level;
     round.presort = round.rescale_noise =
         user_.merge_bodies && 0 < level && level < coarsest;
@@ -83,7 +76,8 @@ WindowSolve::addSpreads (std::vector<Round>& rounds) const
     again.end += share;
     again.anew = false;
     again.spread = true;
-    again.iterations = stepsOf (scene_.tuning.solve.spread_share);
+    again.iterations = static_cast<int> (
+        std::ceil (scene_.tuning.solve.spread_share * user_.max_iterations));
     again.measure = i + 1 == spreads;
     rounds.push_back (again);
   }

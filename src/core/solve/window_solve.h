@@ -125,8 +125,6 @@ private:
   {
     return pairs_.frames() == 2;
   }
-  int
-  stepsOf (double share) const;
   std::vector<Round>
   pairSchedule (int finest_level) const;
   void

@@ -43,8 +43,8 @@ struct RefinementTuning {
                       ///< more takes its errors
   double window{2.0}; ///< pixels, standard deviation: residuals are averaged over it;
                       ///< more blurs edges of motions
-  double most_residual{0.12}; ///< that counts: more lets single pixels rule
-  double clearly{0.95};       ///< of a segment's residuals with the noise: above it the
+  double most_residual{0.2}; ///< that counts: more lets single pixels rule
+  double clearly{0.95};      ///< of a segment's residuals with the noise: above it the
                         ///< motion stays as it was; more adapts rigid bodies to chance
   double smoothness{20.0}; ///< more follows the images less
   double brightness{5.0};  ///< more follows them closer

@@ -39,8 +39,8 @@ struct SolveTuning {
   StepTuning step;
   int coarsest_level{2}; ///< the first solve of two frames: more reaches farther, and
                          ///< small things are not seen there
-  double coarsest_share{0.5}; ///< of the user's steps, in that solve: more is slower
-  double spread_share{0.33};  ///< of them, after motions have spread: likewise
+  double spread_share{0.33}; ///< of the user's steps, after motions have spread there:
+                             ///< more is slower
   int spreads{2}; ///< how often motions spread there from segment to segment;
                   ///< see "Motions spread at the coarsest level" in
                   ///< DECISIONS.md
