@@ -208,7 +208,8 @@ WindowSolve::round (const Round& round)
   if (round.presort && user_.merge_bodies) {
     level_->sweep (state_, DataTerm::Pass::Linearize);
     merge();
-    measureCorrelation (round.level);
+    if (isPair()) // the start of a window has measured it over all of its pairs
+      measureCorrelation (round.level);
   }
   if (round.rescale_noise)
     level_->rescaleBodyNoise (state_);
