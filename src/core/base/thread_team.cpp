@@ -18,6 +18,7 @@ constexpr unsigned kPlace = 1U << 16;                   // in the gate's upper h
 constexpr unsigned kInside = kPlace - 1U;               // its lower half
 constexpr auto kAwake = std::chrono::microseconds (50); // before a thread sleeps
 constexpr auto kLongWait = std::chrono::milliseconds (1);
+constexpr int kMuch = 4;   // a share of the time that is much to lose: a quarter
 constexpr int kAlone = 20; // times the time lost that follow alone: little is lost
 constexpr int kMostHelpers = 1023;
 
@@ -39,14 +40,35 @@ leaveParentsTeam ()
   [[maybe_unused]] const ThreadTeam* lost = teamHere().release();
 }
 
-/** How long this thread has run on a processor. */
-std::chrono::nanoseconds
-processorTime ()
-{
-  timespec time{};
-  clock_gettime (CLOCK_THREAD_CPUTIME_ID, &time);
-  return std::chrono::seconds (time.tv_sec) + std::chrono::nanoseconds (time.tv_nsec);
-}
+/** Tells how long this thread has run on a processor, and how long it has not. */
+class StopWatch {
+public:
+  using Clock = std::chrono::steady_clock;
+
+  Clock::duration
+  elapsed () const
+  {
+    return Clock::now() - begin_;
+  }
+
+  Clock::duration
+  stopped () const
+  {
+    return elapsed() - (processorTime() - processor_);
+  }
+
+private:
+  static std::chrono::nanoseconds
+  processorTime ()
+  {
+    timespec time{};
+    clock_gettime (CLOCK_THREAD_CPUTIME_ID, &time);
+    return std::chrono::seconds (time.tv_sec) + std::chrono::nanoseconds (time.tv_nsec);
+  }
+
+  Clock::time_point begin_{Clock::now()};
+  std::chrono::nanoseconds processor_{processorTime()};
+};
 
 /** Looks for a while whether something came true, before the thread goes to sleep. */
 template <typename Condition>
@@ -110,14 +132,27 @@ ThreadTeam::isHeldUp() const
   return Clock::now() < alone_until_;
 }
 
+ThreadTeam::Clock::duration
+ThreadTeam::timeAlone (const LoopTimes& times)
+{
+  const Clock::duration lost =
+      times.stopped + std::min (times.wait, times.helper_stopped);
+  // Threads wait a little for each other's memory, too: a small share of their time.
+  if (lost <= kLongWait || kMuch * lost <= times.elapsed + times.wait)
+    return {};
+  return kAlone * lost;
+}
+
 void
 ThreadTeam::run (const Loop& loop, int threads)
 {
-  const Clock::time_point begin = Clock::now();
-  const Clock::duration processor = processorTime();
+  const StopWatch watch;
   const int parts = (loop.n + loop.chunk - 1) / loop.chunk;
   const int helpers =
-      begin < alone_until_ ? 0 : std::min ({threads - 1, parts - 1, kMostHelpers});
+      isHeldUp()
+          ? 0
+          : std::max (0,
+                      std::min ({threads - 1 - *elsewhere_, parts - 1, kMostHelpers}));
   hire (helpers);
   loop_ = loop;
   next_ = 0;
@@ -128,11 +163,15 @@ ThreadTeam::run (const Loop& loop, int threads)
   work();
   busy_here = false;
   if (helpers > 0) {
-    const Clock::duration work = Clock::now() - begin;
-    const Clock::duration stopped = work - (processorTime() - processor);
+    LoopTimes times{};
+    times.elapsed = watch.elapsed();
+    times.stopped = watch.stopped();
     close();
-    const Clock::duration wait = Clock::now() - begin - work;
-    judge (work, stopped, wait);
+    times.wait = watch.elapsed() - times.elapsed;
+    times.helper_stopped = Clock::duration (helper_stopped_.load());
+    const Clock::duration alone = timeAlone (times);
+    if (alone.count() > 0)
+      alone_until_ = Clock::now() + alone;
   }
   if (error_)
     std::rethrow_exception (error_);
@@ -158,6 +197,7 @@ ThreadTeam::hire (int helpers)
 void
 ThreadTeam::open (int helpers)
 {
+  helper_stopped_ = 0;
   gate_ = static_cast<unsigned> (helpers) * kPlace;
   ++round_;
   const int asleep = std::min (helpers, sleeping_.load());
@@ -184,15 +224,16 @@ ThreadTeam::close()
   caller_sleeps_ = false;
 }
 
-/** Time in which this thread was stopped, or waited: a wait that is longer than the
- * work before it was for a helper that was stopped. Other programs want the processors.
- */
+/** A helper's part of a loop. */
 void
-ThreadTeam::judge (Clock::duration work, Clock::duration stopped, Clock::duration wait)
+ThreadTeam::workAside()
 {
-  const Clock::duration lost = stopped + (wait > work ? wait : Clock::duration (0));
-  if (lost > kLongWait)
-    alone_until_ = Clock::now() + kAlone * lost;
+  const StopWatch watch;
+  work();
+  const Clock::rep stopped = watch.stopped().count();
+  Clock::rep longest = helper_stopped_;
+  while (longest < stopped && !helper_stopped_.compare_exchange_weak (longest, stopped))
+    ;
 }
 
 void
@@ -202,7 +243,7 @@ ThreadTeam::help()
   unsigned seen = 0;
   while (waitForRound (seen))
     if (enter()) {
-      work();
+      workAside();
       leave();
     }
 }

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -23,9 +24,10 @@ namespace pcl_msf {
  * parent's threads: the first loop in it starts new ones.
  *
  * A helper joins a loop if it wakes in time; the caller does not wait for those that do
- * not. Where the caller is stopped, or waits long for a helper that is (as other
- * programs want the processors), it works alone for a while: beside busy programs, more
- * threads then cost little more than one.
+ * not. Where the caller is stopped, or waits for a helper that is (as other programs
+ * want the processors), it works alone for a while: beside busy programs, more threads
+ * then cost little more than one. Of the threads that a loop may have, those that do
+ * something else meanwhile do not help.
  */
 class PCL_MSF_EXPORT ThreadTeam {
 public:
@@ -61,9 +63,30 @@ public:
   bool
   isHeldUp () const;
 
-private:
   using Clock = std::chrono::steady_clock;
 
+  /** \brief What a loop that threads shared has taken. */
+  struct LoopTimes {
+    Clock::duration elapsed;        ///< for the caller's part
+    Clock::duration stopped;        ///< of that, in which it did not run
+    Clock::duration wait;           ///< for helpers, afterwards
+    Clock::duration helper_stopped; ///< of its part: the helper's that was so longest
+  };
+
+  /** \brief How long to work alone after a loop: zero unless other programs took much
+   * of its time. To wait for a helper that had more to do is no sign of that. */
+  static Clock::duration
+  timeAlone (const LoopTimes& times);
+
+  /** \brief How many threads do something else for the caller, see meanwhile (): each
+   * counts itself, and may outlive the team. */
+  const std::shared_ptr<std::atomic<int>>&
+  elsewhere () const
+  {
+    return elsewhere_;
+  }
+
+private:
   struct Loop {
     void (*part) (const void*, int, int){nullptr};
     const void* context{nullptr};
@@ -80,7 +103,7 @@ private:
   void
   close ();
   void
-  judge (Clock::duration work, Clock::duration stopped, Clock::duration wait);
+  workAside ();
   void
   help ();
   bool
@@ -101,9 +124,11 @@ private:
   std::condition_variable begun_;
   std::condition_variable done_;
   std::atomic<int> sleeping_{0};
+  std::atomic<Clock::rep> helper_stopped_{0}; ///< in this round; the longest of all
   std::atomic<bool> caller_sleeps_{false};
   std::atomic<bool> ended_{false};
   std::exception_ptr error_;
+  std::shared_ptr<std::atomic<int>> elsewhere_{std::make_shared<std::atomic<int>> (0)};
   Clock::time_point alone_until_{}; ///< the caller works alone until then
 };
 

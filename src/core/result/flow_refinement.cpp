@@ -4,6 +4,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "core/base/opencv_threads.h"
 #include "core/base/parallel_for.h"
 
 #include <cmath>
@@ -121,8 +122,10 @@ refineFlow (const ComparedImages& images,
   const std::vector<cv::Rect> tiles = tilesOf (mask, tuning.tile);
   const int count = static_cast<int> (tiles.size());
   std::vector<RefinementTile> adapted (tiles.size());
-  parallelFor (threads, count, 1, [&] (int i) {
-    adapted[i] = adaptTile (images, result.flow, mask, tiles[i], tuning);
+  inThisThread ([&] { // once: of threads that enter by themselves, one waits for others
+    parallelFor (threads, count, 1, [&] (int i) {
+      adapted[i] = adaptTile (images, result.flow, mask, tiles[i], tuning);
+    });
   });
   std::vector<SegmentResidual> sums (result.segments.size());
   for (int i = 0; i < count; ++i)
