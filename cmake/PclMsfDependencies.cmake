@@ -60,9 +60,9 @@ if (PCL_MSF_BUILD_VISUALIZATION)
   endif ()
 endif ()
 
-set (pcl_msf_plain_pcl features io)
+set (pcl_msf_plain_pcl io)
 if (PCL_MSF_BUILD_EXAMPLES OR PCL_MSF_BUILD_TESTS)
-  list (APPEND pcl_msf_plain_pcl registration)
+  list (APPEND pcl_msf_plain_pcl features registration)
   if (PCL_MSF_VTK_TARGETS)
     list (APPEND pcl_msf_plain_pcl visualization)
   endif ()
@@ -72,3 +72,6 @@ if (pcl_msf_plain_pcl_missing)
   message (FATAL_ERROR "pcl_msf needs PCL's libraries ${pcl_msf_plain_pcl_missing}: "
     "install them beside pcl_common (Debian: libpcl-dev)")
 endif ()
+pcl_msf_lazy_pcl_library (io
+  _ZN3pcl2io4loadERKNSt7__cxx1112basic_stringIcSt11char_traitsIcESaIcEEERNS_14PCLPointCloud2E
+  _ZN3pcl13lzfDecompressEPKvjPvj)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Libraries that are loaded by the call that needs them, not by every program's start.
 
-# pcl_msf_lazy_library (MODULE module SYMBOL...): a module of OpenCV of which only these
+# pcl_msf_lazy_library (module SYMBOL...): a module of OpenCV of which only these
 # functions are called. Sets in the caller's scope
 #   PCL_MSF_<MODULE>_FILES  names by which it is loaded, a list of C strings; empty if it has
 #                           to be linked, since it is no shared library with these symbols
@@ -21,6 +21,39 @@ function (pcl_msf_lazy_library module)
   if (NOT file OR NOT soname)
     return ()
   endif ()
+  pcl_msf_has_symbols (found "${file}" ${ARGN})
+  if (found)
+    set (${name}_FILES "\"${soname}\",\"${file}\"" PARENT_SCOPE)
+    set (${name}_LINK "" PARENT_SCOPE)
+  endif ()
+endfunction ()
+
+# pcl_msf_lazy_pcl_library (component SYMBOL...): the same of a library of PCL that
+# PclMsfPlainPcl has found.
+function (pcl_msf_lazy_pcl_library component)
+  string (TOUPPER "PCL_MSF_PCL_${component}" name)
+  set (${name}_FILES "" PARENT_SCOPE)
+  set (${name}_LINK pcl_msf::plain_pcl_${component} PARENT_SCOPE)
+  if (NOT PCL_MSF_LAZY_LIBRARIES OR NOT CMAKE_SYSTEM_NAME STREQUAL "Linux" OR NOT CMAKE_NM
+      OR NOT CMAKE_OBJDUMP)
+    return ()
+  endif ()
+  set (file "${PCL_MSF_PCL_${component}_LIBRARY}")
+  execute_process (COMMAND ${CMAKE_OBJDUMP} -p "${file}" OUTPUT_VARIABLE head ERROR_QUIET)
+  if (NOT head MATCHES "SONAME +([^ \n]+)")
+    return ()
+  endif ()
+  set (soname "${CMAKE_MATCH_1}")
+  pcl_msf_has_symbols (found "${file}" ${ARGN})
+  if (found)
+    set (${name}_FILES "\"${soname}\",\"${file}\"" PARENT_SCOPE)
+    set (${name}_LINK "" PARENT_SCOPE)
+  endif ()
+endfunction ()
+
+# Sets RESULT to whether a shared library defines all of the functions.
+function (pcl_msf_has_symbols result file)
+  set (${result} FALSE PARENT_SCOPE)
   execute_process (COMMAND ${CMAKE_NM} -D --defined-only "${file}"
     OUTPUT_VARIABLE symbols ERROR_QUIET)
   foreach (symbol IN LISTS ARGN)
@@ -28,6 +61,5 @@ function (pcl_msf_lazy_library module)
       return ()
     endif ()
   endforeach ()
-  set (${name}_FILES "\"${soname}\",\"${file}\"" PARENT_SCOPE)
-  set (${name}_LINK "" PARENT_SCOPE)
+  set (${result} TRUE PARENT_SCOPE)
 endfunction ()

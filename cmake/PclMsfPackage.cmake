@@ -26,8 +26,7 @@ install (FILES
 
 # A static library does not bring its own dependencies along: pkg-config has to name
 # them in Libs, a shared one keeps them private.
-set (pc_dependencies "-lopencv_features2d -lopencv_video -lopencv_imgproc -lceres -lglog -lpcl_features \
--pthread")
+set (pc_dependencies "-lopencv_features2d -lopencv_video -lopencv_imgproc -lceres -lglog -pthread")
 if (PCL_MSF_XIMGPROC AND NOT PCL_MSF_XIMGPROC_FILES)
   string (PREPEND pc_dependencies "-lopencv_ximgproc ")
 endif ()

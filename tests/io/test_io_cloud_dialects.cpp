@@ -10,6 +10,7 @@
 #include <pcl_msf/io/point_files.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -184,6 +185,26 @@ TEST_F (CloudDialects, AByteOrderMarkIsNoPartOfTheHeader)
   expectIoError ([&] { io::readOrganizedCloud (folder_ ("edited.pcd")); },
                  "edited.pcd",
                  "encoding");
+}
+
+TEST_F (CloudDialects, AnyNameWillDo)
+{
+  const HandMadeCloud cloud =
+      HandMadeCloud ("ring", "2", "U", "1").points<std::uint16_t> ({3});
+  const TemporaryFolder temporary;
+  const char* before = std::getenv ("TMPDIR");
+  const std::string kept = before ? before : "";
+  setenv ("TMPDIR", temporary ("").c_str(), 1);
+  for (const char* name : {"a.PCD", "a.bin", "a"})
+    EXPECT_NEAR (read (cloud, name).depth.at<float> (29, 39), 2.0F, 1e-5) << name;
+  EXPECT_EQ (filesIn (temporary ("")), 0U) << "copies are removed";
+  setenv ("TMPDIR", temporary ("not_there").c_str(), 1);
+  EXPECT_NEAR (read (cloud, "a.pcd").depth.at<float> (29, 39), 2.0F, 1e-5);
+  expectIoError ([&] { read (cloud, "a.bin"); }, "a.bin", "points");
+  if (before)
+    setenv ("TMPDIR", kept.c_str(), 1);
+  else
+    unsetenv ("TMPDIR");
 }
 
 TEST_F (CloudDialects, MillimetresBecomeMetres)

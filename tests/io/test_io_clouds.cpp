@@ -134,6 +134,9 @@ TEST (Clouds, RefusesMalformedFiles)
   expectIoError (read (header ("WIDTH 2\nHEIGHT 2\n") + "POINTS 3\nDATA ascii\n"),
                  "bad.pcd",
                  "POINTS");
+  std::string turned = header ("WIDTH 2\nHEIGHT 2\n") + "POINTS 4\nDATA ascii\n";
+  turned.replace (turned.find ("0 0 0 1"), 7, "0 0 0 w");
+  expectIoError (read (turned + "1 2 3\n1 2 3\n1 2 3\n1 2 3\n"), "bad.pcd", "'w'");
   std::string nothing = header ("WIDTH 2\nHEIGHT 2\n");
   nothing.replace (nothing.find ("x y z"), 5, "a b c");
   expectIoError (read (nothing + "POINTS 4\nDATA binary\n" + std::string (48, '\0')),

@@ -5,6 +5,7 @@
 #include "core/base/number_text.h"
 #include "core/base/tuning/tuning.h"
 #include "io/base/json.h"
+#include "io/results/pcd_bytes.h"
 #include "support/expect_io_error.h"
 #include "support/temporary_folder.h"
 #include <pcl_msf/io/cloud_files.h>
@@ -67,6 +68,22 @@ TEST (ResultFiles, SceneFlowCloudReadsBack)
   EXPECT_EQ (cloud (1, 1).flow_deviation, 2.0F);
   EXPECT_EQ (cloud (1, 1).displacement_deviation, 0.02F);
   EXPECT_TRUE (std::isnan (cloud (0, 1).flow_deviation));
+}
+
+TEST (ResultFiles, CloudsAreTheBytesThatPclWrites)
+{
+  const TemporaryFolder folder;
+  io::writeSceneFlowCloud (
+      folder ("a.pcd"), smallResult(), cv::Mat(), {{1, -2, 0.5F}, {0.6F, 0.8F, 0, 0}});
+  pcl::PointCloud<PointXYZRGBFlow> cloud;
+  ASSERT_EQ (pcl::io::loadPCDFile (folder ("a.pcd"), cloud), 0);
+  ASSERT_EQ (pcl::PCDWriter().writeBinary (folder ("pcl.pcd"), cloud), 0);
+  EXPECT_EQ (readFile (folder ("a.pcd")), readFile (folder ("pcl.pcd")));
+  EXPECT_EQ (io::pcdBytes (cloud), readFile (folder ("pcl.pcd")));
+  pcl::PointCloud<pcl::PointNormal> padded (3, 1); // of x y z _ and n _ curvature _
+  padded[1].normal_y = 7.0F;
+  ASSERT_EQ (pcl::PCDWriter().writeBinary (folder ("pcl.pcd"), padded), 0);
+  EXPECT_EQ (io::pcdBytes (padded), readFile (folder ("pcl.pcd")));
 }
 
 TEST (ResultFiles, WarpedCloudIsOrganizedAndKnowsWhatItDoesNot)

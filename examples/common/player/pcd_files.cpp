@@ -35,7 +35,7 @@ std::string
 problemOf (const std::string& file)
 {
   try {
-    if (io::checkPcdHeader (file, io::PcdShape::Image) > 0)
+    if (io::checkPcdHeader (file, io::PcdShape::Image).begin > 0)
       return file + ": begins with a byte order mark, which PCL's PCDGrabber cannot "
                     "read; save it as plain ASCII";
   }

@@ -2,16 +2,10 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/frame/normals.h"
 
-#include <pcl/features/integral_image_normal.h>
-#include <pcl/point_types.h>
-
-#include "core/base/flatten.h"
 #include "core/base/order_statistics.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <memory>
 
 namespace pcl_msf {
 
@@ -188,39 +182,6 @@ normalsByCentralDifferences (const cv::Mat& w,
       for (int i = 0; i < n; ++i)
         if (center[i] > 0.0f)
           out[i] = normalOf (sums.solve (i), center[i], first + i, y, camera);
-    }
-  return normals;
-}
-
-// Flat, so that no copy of the clouds' functions is left that a program's own, with
-// another allocator, could replace.
-PCL_MSF_FLATTEN cv::Mat
-normalsByIntegralImage (const cv::Mat& w, const PinholeCamera& camera)
-{
-  // Both clouds are made and freed here and keep their size: what frees or enlarges
-  // them elsewhere may be compiled with another allocator, see build_compatibility.h.
-  pcl::PointCloud<pcl::PointXYZ> cloud (w.cols, w.rows);
-  pcl::PointCloud<pcl::Normal> found (w.cols, w.rows);
-  const float nan = std::numeric_limits<float>::quiet_NaN();
-  for (int y = 0; y < w.rows; ++y)
-    for (int x = 0; x < w.cols; ++x) {
-      const float value = w.at<float> (y, x);
-      const float z = value > 0.0f ? 1.0f / value : nan;
-      cloud.at (x, y).getVector3fMap() = camera.backProject (x, y, z).cast<float>();
-    }
-  pcl::IntegralImageNormalEstimation<pcl::PointXYZ, pcl::Normal> estimation;
-  estimation.setNormalEstimationMethod (estimation.AVERAGE_3D_GRADIENT);
-  estimation.setMaxDepthChangeFactor (0.02f);
-  estimation.setNormalSmoothingSize (10.0f);
-  estimation.setInputCloud (
-      pcl::PointCloud<pcl::PointXYZ>::ConstPtr (std::shared_ptr<void>(), &cloud));
-  estimation.compute (found);
-  cv::Mat normals = cv::Mat::zeros (w.size(), CV_32FC3);
-  for (int y = 0; y < w.rows; ++y)
-    for (int x = 0; x < w.cols; ++x) {
-      const pcl::Normal& n = found.at (x, y);
-      if (std::isfinite (n.normal_x))
-        normals.at<cv::Vec3f> (y, x) = {n.normal_x, n.normal_y, n.normal_z};
     }
   return normals;
 }

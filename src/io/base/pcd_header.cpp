@@ -2,10 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "io/base/pcd_header.h"
 
-#include <pcl/io/lzf.h>
-
 #include "core/base/number_text.h"
 #include "io/base/input_file.h"
+#include "io/base/pcl_io.h"
 
 #include <cstdint>
 #include <limits>
@@ -127,7 +126,7 @@ checkPacked (InputFile& file, std::int64_t bytes)
     file.fail ("points", "fewer bytes than announced; the file is cut short");
   std::vector<char> from (packed), to (unpacked);
   file.read (from.data(), packed, "points");
-  if (pcl::lzfDecompress (from.data(), packed, to.data(), unpacked) != unpacked)
+  if (!unpackByPcl (from, to))
     file.fail ("points", "cannot be unpacked; the file is damaged");
 }
 
@@ -148,16 +147,35 @@ checkSize (const InputFile& file,
                    " is no number of points; the header is damaged");
 }
 
+Viewpoint
+viewpointOf (const InputFile& file, const PcdHeader& header)
+{
+  Viewpoint viewpoint;
+  if (header.count ("VIEWPOINT") == 0)
+    return viewpoint;
+  const Words& words = header.at ("VIEWPOINT");
+  for (int i = 0; i < 7; ++i) {
+    float& value = i < 3 ? viewpoint.origin[i] : viewpoint.orientation[i - 3];
+    if (!parseNumber (words[i], value))
+      file.fail ("VIEWPOINT",
+                 "'" + words[i].substr (0, 32) +
+                     "' is no number; the header is damaged");
+  }
+  return viewpoint;
+}
+
 } // namespace
 
-int
+PcdHead
 checkPcdHeader (const std::string& path, PcdShape shape)
 {
   InputFile file (path);
   const std::uint64_t whole = file.remaining();
   file.skipByteOrderMark();
-  const auto begin = static_cast<int> (whole - file.remaining());
+  PcdHead head;
+  head.begin = static_cast<int> (whole - file.remaining());
   const PcdHeader header = readHeader (file);
+  head.viewpoint = viewpointOf (file, header);
   const std::int64_t width = number (file, "WIDTH", header.at ("WIDTH")[0]);
   const std::int64_t height = number (file, "HEIGHT", header.at ("HEIGHT")[0]);
   const std::int64_t points = number (file, "POINTS", header.at ("POINTS")[0]);
@@ -172,13 +190,13 @@ checkPcdHeader (const std::string& path, PcdShape shape)
                    std::to_string (width * height) + "; the header is damaged");
   const PointSize point = pointSize (file, header);
   const std::string& data = header.at ("DATA")[0];
-  if (begin > 0 && data != "ascii")
+  if (head.begin > 0 && data != "ascii")
     file.fail ("encoding",
                "a byte order mark stands before binary data; give the file as it was "
                "before a text editor saved it");
   if (data == "binary_compressed") {
     checkPacked (file, points * point.bytes);
-    return begin;
+    return head;
   }
   if (data != "binary" && data != "ascii")
     file.fail ("DATA",
@@ -190,7 +208,7 @@ checkPcdHeader (const std::string& path, PcdShape shape)
   if (static_cast<std::int64_t> (file.remaining()) < least)
     file.fail ("points",
                "fewer bytes than the header announces; the file is cut short");
-  return begin;
+  return head;
 }
 
 } // namespace pcl_msf::io

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include <pcl/io/pcd_io.h>
-
-#include "io/base/classic_locale.h"
 #include "io/base/output_file.h"
+#include "io/results/pcd_bytes.h"
 #include "io/results/sensor_pose.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/result_files.h>
@@ -80,10 +78,8 @@ writeCloud (const std::string& path,
       colors.apply (row, col, point);
       fill (row, col, point);
     }
-  writeThenRename (path, [&cloud] (const std::string& temporary) {
-    const ClassicLocale classic;
-    pcl::PCDWriter().writeBinary (temporary, cloud);
-  });
+  const std::string bytes = pcdBytes (cloud);
+  writeBytes (path, bytes.data(), bytes.size());
 }
 
 bool
