@@ -2,16 +2,11 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/data/data_kernel.h"
 
-#include <pcl/console/print.h>
-
+#include "core/base/instruction_set.h"
 #include "core/data/data_kernel_impl.h"
 
-#include <cstdlib>
-#include <string>
-
 // The functions of one instruction set: `target` is the attribute that they are
-// compiled with, and everything they call is inlined into them. Chosen by a table and
-// not by target_clones, so that tests and sanitizers can run each of them.
+// compiled with, and everything they call is inlined into them.
 #define PCL_MSF_KERNEL(set, target)                                                    \
   struct set {                                                                         \
     target static void                                                                 \
@@ -35,9 +30,9 @@
           points, image, motion, rules, {nullptr, nullptr}, sums);                     \
     }                                                                                  \
     static Kernel                                                                      \
-    named (const char* name)                                                           \
+    of (InstructionSet own)                                                            \
     {                                                                                  \
-      return {name, linearize, probe};                                                 \
+      return {nameOf (own), linearize, probe};                                         \
     }                                                                                  \
   };
 
@@ -48,42 +43,29 @@ namespace {
 
 PCL_MSF_KERNEL (Default, )
 #ifdef PCL_MSF_HAS_X86_64_LEVELS
-PCL_MSF_KERNEL (X86_64_v3, __attribute__ ((target ("arch=x86-64-v3"))))
-PCL_MSF_KERNEL (X86_64_v4, __attribute__ ((target ("arch=x86-64-v4"))))
+PCL_MSF_KERNEL (X86_64_v3, PCL_MSF_X86_64_V3)
+PCL_MSF_KERNEL (X86_64_v4, PCL_MSF_X86_64_V4)
 #endif
+
+Kernel
+kernelFor (InstructionSet set)
+{
+#ifdef PCL_MSF_HAS_X86_64_LEVELS
+  if (set == InstructionSet::X86_64_v4)
+    return X86_64_v4::of (set);
+  if (set == InstructionSet::X86_64_v3)
+    return X86_64_v3::of (set);
+#endif
+  return Default::of (set);
+}
 
 std::vector<Kernel>
 findUsable ()
 {
   std::vector<Kernel> usable;
-#ifdef PCL_MSF_HAS_X86_64_LEVELS
-  if (__builtin_cpu_supports ("x86-64-v4"))
-    usable.push_back (X86_64_v4::named ("x86-64-v4"));
-  if (__builtin_cpu_supports ("x86-64-v3"))
-    usable.push_back (X86_64_v3::named ("x86-64-v3"));
-#endif
-  usable.push_back (Default::named ("default"));
+  for (const InstructionSet set : usableInstructionSets())
+    usable.push_back (kernelFor (set));
   return usable;
-}
-
-Kernel
-choose ()
-{
-  const char* wanted = std::getenv ("PCL_MSF_ISA");
-  if (wanted == nullptr)
-    return usableKernels().front();
-  std::string names;
-  for (const Kernel& kernel : usableKernels()) {
-    if (kernel.name == std::string (wanted))
-      return kernel;
-    names += std::string (" ") + kernel.name;
-  }
-  PCL_WARN (
-      "[pcl_msf] PCL_MSF_ISA=%s is none of this processor's:%s; the first of them "
-      "is used.\n",
-      wanted,
-      names.c_str());
-  return usableKernels().front();
 }
 
 } // namespace
@@ -98,7 +80,7 @@ usableKernels ()
 const Kernel&
 chosenKernel ()
 {
-  static const Kernel chosen = choose();
+  static const Kernel chosen = kernelFor (chosenInstructionSet());
   return chosen;
 }
 

@@ -104,8 +104,7 @@ struct Kernel {
 const std::vector<Kernel>&
 usableKernels ();
 
-/** \brief The kernel that is used: the one that the environment variable PCL_MSF_ISA
- * names at the first call in the process, otherwise the fastest. */
+/** \brief The kernel of chosenInstructionSet (). */
 const Kernel&
 chosenKernel ();
 

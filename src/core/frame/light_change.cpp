@@ -17,6 +17,7 @@ namespace pcl_msf {
 namespace {
 
 constexpr int kTerms = 23;
+constexpr int kAtOnce = 64; // rows that are summed at once
 using Terms = Eigen::Matrix<double, kTerms, 1, Eigen::DontAlign>;
 
 /** Functions of an intensity and its place. */
@@ -70,12 +71,18 @@ public:
     Eigen::Matrix<double, kTerms, kTerms, Eigen::DontAlign> a =
         ridge * Eigen::Matrix<double, kTerms, kTerms>::Identity();
     Terms b = Terms::Zero();
-    for (std::size_t i = 0; i < left_.size(); ++i) {
-      const double share = (left_[i] - amounts.dot (terms_[i])) / limit;
-      const double root = 1.0 / (1.0 + share * share); // Geman and McClure's weight
-      const Terms row = root * terms_[i];
-      a.selfadjointView<Eigen::Lower>().rankUpdate (row);
-      b += root * left_[i] * row;
+    Eigen::Matrix<double, kTerms, kAtOnce, Eigen::DontAlign> rows;
+    for (std::size_t first = 0; first < left_.size(); first += kAtOnce) {
+      const std::size_t count = std::min<std::size_t> (kAtOnce, left_.size() - first);
+      rows.setZero();
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t i = first + k;
+        const double share = (left_[i] - amounts.dot (terms_[i])) / limit;
+        const double root = 1.0 / (1.0 + share * share); // Geman and McClure's weight
+        rows.col (static_cast<int> (k)) = root * terms_[i];
+        b += root * left_[i] * rows.col (static_cast<int> (k));
+      }
+      a.selfadjointView<Eigen::Lower>().rankUpdate (rows);
     }
     return a.selfadjointView<Eigen::Lower>().ldlt().solve (b);
   }
@@ -97,6 +104,8 @@ lightChanged (const MatchedIntensities& matches,
   const Misfits misfits (matches, exposure, tuning.light_pairs);
   Terms amounts = Terms::Zero();
   const double before = misfits.medianBeyond (amounts);
+  if (before <= tuning.least_light) // no light can explain more
+    return false;
   double after = before;
   for (int round = 0; round < tuning.rounds; ++round) {
     const double limit = std::max (tuning.inlier_mads * after, 1e-3);

@@ -54,7 +54,7 @@ struct SlopeSums {
 };
 
 /** 1 where a condition holds, else 0: keeps the loop free of branches. */
-inline float
+[[gnu::always_inline]] inline float
 mask (bool condition)
 {
   return condition ? 1.0f : 0.0f;
@@ -64,7 +64,7 @@ mask (bool condition)
  * surface: those that differ little from it, and those that differ much but oppositely,
  * as on a floor seen at a grazing angle.
  * \param straight, mirrored the rows of both, at the first pixel */
-void
+[[gnu::always_inline]] inline void
 addPixels (const float* center,
            const float* straight,
            const float* mirrored,
@@ -105,32 +105,37 @@ addPixels (const float* center,
   }
 }
 
-/** Sums over the windows around n pixels of a row.
- * \param center in an image with a border of `radius` pixels of zeros \param stride
- * of its rows, floats */
-void
-sumWindows (const float* center,
-            std::ptrdiff_t stride,
-            int n,
-            int radius,
-            float noise,
-            const NormalTuning& tuning,
-            SlopeSums& sums)
+/** The windows around n pixels of a row. */
+struct WindowRow {
+  const float* center;   ///< in an image with a border of `radius` pixels of zeros
+  std::ptrdiff_t stride; ///< of its rows, floats
+  int n;
+  int radius;
+  float noise;
+  const NormalTuning* tuning;
+  SlopeSums* sums;
+};
+
+[[gnu::always_inline]] inline void
+sumRow (const WindowRow& row)
 {
-  sums = {};
-  const int step = radius > 2 ? 2 : 1; // every second pixel of a wide window will do
-  for (int dy = 0; dy <= radius; dy += step)
-    for (int dx = dy == 0 ? step : -radius; dx <= radius; dx += step)
-      addPixels (center,
-                 center + dy * stride + dx,
-                 center - dy * stride - dx,
-                 n,
+  *row.sums = {};
+  const int step =
+      row.radius > 2 ? 2 : 1; // every second pixel of a wide window will do
+  for (int dy = 0; dy <= row.radius; dy += step)
+    for (int dx = dy == 0 ? step : -row.radius; dx <= row.radius; dx += step)
+      addPixels (row.center,
+                 row.center + dy * row.stride + dx,
+                 row.center - dy * row.stride - dx,
+                 row.n,
                  static_cast<float> (dx),
                  static_cast<float> (dy),
-                 noise,
-                 tuning,
-                 sums);
+                 row.noise,
+                 *row.tuning,
+                 *row.sums);
 }
+
+PCL_MSF_VERSIONS (sumWindows, sumRow, WindowRow)
 
 float
 medianInverseDepth (const cv::Mat& w)
@@ -165,7 +170,8 @@ cv::Mat
 normalsByCentralDifferences (const cv::Mat& w,
                              const PinholeCamera& camera,
                              double noise,
-                             const NormalTuning& tuning)
+                             const NormalTuning& tuning,
+                             InstructionSet set)
 {
   cv::Mat normals = cv::Mat::zeros (w.size(), CV_32FC3);
   const int radius = slopeRadius (camera.fx, noise, medianInverseDepth (w), tuning);
@@ -177,7 +183,8 @@ normalsByCentralDifferences (const cv::Mat& w,
     for (int first = 0; first < w.cols; first += kRun) {
       const int n = std::min (kRun, w.cols - first);
       const float* center = bordered.ptr<float> (y + radius) + radius + first;
-      sumWindows (center, stride, n, radius, static_cast<float> (noise), tuning, sums);
+      sumWindows (
+          {center, stride, n, radius, static_cast<float> (noise), &tuning, &sums}, set);
       cv::Vec3f* out = normals.ptr<cv::Vec3f> (y) + first;
       for (int i = 0; i < n; ++i)
         if (center[i] > 0.0f)

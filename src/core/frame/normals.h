@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "core/base/instruction_set.h"
 #include "core/base/tuning/frame_tuning.h"
 #include <pcl_msf/parameters.h>
 #include <pcl_msf/pinhole_camera.h>
@@ -16,12 +17,14 @@ namespace pcl_msf {
  * The cross product of the tangents along x and y; with W the inverse depth and W_u,
  * W_v its differences, it is parallel to (fx W_u, fy W_v, W - W_u (u - cx) - W_v (v -
  * cy)). Differences are central, over a few pixels on both sides (more where
- * the sensor is noisy), and stay on the pixel's own surface. */
+ * the sensor is noisy), and stay on the pixel's own surface. All instruction sets give
+ * the same bits. */
 cv::Mat
 normalsByCentralDifferences (const cv::Mat& inverse_depth,
                              const PinholeCamera& camera,
                              double noise,
-                             const NormalTuning& tuning);
+                             const NormalTuning& tuning,
+                             InstructionSet set = chosenInstructionSet());
 
 /** \brief The same by pcl::IntegralImageNormalEstimation. */
 cv::Mat

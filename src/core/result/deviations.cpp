@@ -30,116 +30,155 @@ constexpr int kBlock = 256; // points that are carried at once
 
 /** Variances of a block of points, side by side. */
 struct BlockVariances {
-  std::array<float, kBlock> flow; ///< NaN behind the camera
-  std::array<float, kBlock> displacement;
+  float flow[kBlock]; ///< NaN behind the camera
+  float displacement[kBlock];
 };
 
-/** x' S x of a symmetric matrix. */
-inline float
-quadratic (const Eigen::Matrix3f& s, float x, float y, float z)
+/** Covariance of a segment's motion, turned and about the segment's centroid, so that
+ * floats are enough; matrices row by row. */
+struct TurnedCovariance {
+  float rotation[9];
+  float centroid[3];
+  float turned_centroid[3];
+  float translation[3];
+  float turning[9], both[9], moving[9]; ///< its blocks
+  float twist[3];                       ///< with q . twist = trace ([q]x both)
+  float turning_trace, moving_trace;
+  float fx, fy; ///< pixels
+  float noise;  ///< of inverse depth
+};
+
+template <int kRows, int kColumns>
+void
+copy (const Eigen::Matrix<double, kRows, kColumns>& from, float* to)
 {
-  return x * (s (0, 0) * x + 2.0f * (s (0, 1) * y + s (0, 2) * z)) +
-         y * (s (1, 1) * y + 2.0f * s (1, 2) * z) + z * s (2, 2) * z;
+  for (int i = 0; i < kRows; ++i)
+    for (int j = 0; j < kColumns; ++j)
+      *to++ = static_cast<float> (from (i, j));
 }
 
-/** Carries a segment's covariance to its points: traces of J C J' with J = (-[q]x, 1)
- * as from pointJacobian, by the blocks of C. Lengths are from the segment's centroid,
- * so that floats are enough. */
-class SegmentVariance {
-public:
-  SegmentVariance (const RigidPose& pose,
-                   const Matrix6& covariance,
-                   const Eigen::Vector3d& centroid,
-                   const PinholeCamera& camera,
-                   double inverse_depth_noise)
-  : rotation_ (pose.rotation().cast<float>())
-  , centroid_ (centroid.cast<float>())
-  , turned_centroid_ ((pose.rotation() * centroid).cast<float>())
-  , translation_ (pose.translation().cast<float>())
-  , fx_ (static_cast<float> (camera.fx))
-  , fy_ (static_cast<float> (camera.fy))
-  , noise_ (static_cast<float> (inverse_depth_noise))
-  {
-    const Eigen::Matrix3d left =
-        leftJacobian ({pose.parameters[0], pose.parameters[1], pose.parameters[2]});
-    const Eigen::Vector3d c = pose.rotation() * centroid;
-    Eigen::Matrix3d lever; // [c]x
-    lever << 0.0, -c.z(), c.y(), c.z(), 0.0, -c.x(), -c.y(), c.x(), 0.0;
-    const Eigen::Matrix3d turning =
-        left * covariance.topLeftCorner<3, 3>() * left.transpose();
-    const Eigen::Matrix3d far = left * covariance.topRightCorner<3, 3>();
-    const Eigen::Matrix3d both = far + turning * lever;
-    const Eigen::Matrix3d moving =
-        covariance.bottomRightCorner<3, 3>() - lever * far +
-        (far.transpose() - lever * turning.transpose()) * lever;
-    turning_ = turning.cast<float>();
-    both_ = both.cast<float>();
-    moving_ = (0.5 * (moving + moving.transpose())).cast<float>();
-    twist_ = {both_ (1, 2) - both_ (2, 1),
-              both_ (2, 0) - both_ (0, 2),
-              both_ (0, 1) - both_ (1, 0)};
+TurnedCovariance
+turnedCovariance (const RigidPose& pose,
+                  const Matrix6& covariance,
+                  const Eigen::Vector3d& centroid,
+                  const PinholeCamera& camera,
+                  double inverse_depth_noise)
+{
+  TurnedCovariance t;
+  const Eigen::Matrix3d left =
+      leftJacobian ({pose.parameters[0], pose.parameters[1], pose.parameters[2]});
+  const Eigen::Vector3d c = pose.rotation() * centroid;
+  Eigen::Matrix3d lever; // [c]x
+  lever << 0.0, -c.z(), c.y(), c.z(), 0.0, -c.x(), -c.y(), c.x(), 0.0;
+  const Eigen::Matrix3d turning =
+      left * covariance.topLeftCorner<3, 3>() * left.transpose();
+  const Eigen::Matrix3d far = left * covariance.topRightCorner<3, 3>();
+  const Eigen::Matrix3d both = far + turning * lever;
+  const Eigen::Matrix3d moving =
+      covariance.bottomRightCorner<3, 3>() - lever * far +
+      (far.transpose() - lever * turning.transpose()) * lever;
+  copy<3, 3> (pose.rotation(), t.rotation);
+  copy<3, 1> (centroid, t.centroid);
+  copy<3, 1> (c, t.turned_centroid);
+  copy<3, 1> (pose.translation(), t.translation);
+  copy<3, 3> (turning, t.turning);
+  copy<3, 3> (both, t.both);
+  copy<3, 3> (0.5 * (moving + moving.transpose()), t.moving);
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    t.twist[i] = t.both[3 * j + k] - t.both[3 * k + j];
   }
+  t.turning_trace = t.turning[0] + (t.turning[4] + t.turning[8]);
+  t.moving_trace = t.moving[0] + (t.moving[4] + t.moving[8]);
+  t.fx = static_cast<float> (camera.fx);
+  t.fy = static_cast<float> (camera.fy);
+  t.noise = static_cast<float> (inverse_depth_noise);
+  return t;
+}
 
-  /** Of points [first, first + count), count <= kBlock. */
-  void
-  carry (const SegmentPixels& p, int first, int count, BlockVariances& out) const
-  {
-    const float* const x = p.x.data() + first;
-    const float* const y = p.y.data() + first;
-    const float* const z = p.z.data() + first;
-#pragma omp simd
-    for (int i = 0; i < count; ++i)
-      carry (x[i], y[i], z[i], out.flow[i], out.displacement[i]);
-  }
+/** x' S x of a symmetric matrix. */
+[[gnu::always_inline]] inline float
+quadratic (const float (&s)[9], float x, float y, float z)
+{
+  return x * (s[0] * x + 2.0f * (s[1] * y + s[2] * z)) +
+         y * (s[4] * y + 2.0f * s[5] * z) + z * s[8] * z;
+}
 
-private:
-  [[gnu::always_inline]] void
-  carry (float x, float y, float z, float& flow, float& displacement) const
-  {
-    const Eigen::Matrix3f& r = rotation_;
-    const float ox = x - centroid_.x(), oy = y - centroid_.y(), oz = z - centroid_.z();
-    const float qx = r (0, 0) * ox + r (0, 1) * oy + r (0, 2) * oz;
-    const float qy = r (1, 0) * ox + r (1, 1) * oy + r (1, 2) * oz;
-    const float qz = r (2, 0) * ox + r (2, 1) * oy + r (2, 2) * oz;
-    const float tx = qx + turned_centroid_.x(), ty = qy + turned_centroid_.y(),
-                tz = qz + turned_centroid_.z();
-    // Another inverse depth takes the point along its ray.
-    const float along = z * noise_;
-    const float mz = tz + translation_.z();
-    const float w = mz > 1e-3f ? 1.0f / mz : std::numeric_limits<float>::quiet_NaN();
-    const float a = fx_ * w, c = -a * (tx + translation_.x()) * w; // d u / d (x, z)
-    const float b = fy_ * w, d = -b * (ty + translation_.y()) * w; // d v / d (y, z)
-    const float ahead_u = along * (a * tx + c * tz);
-    const float ahead_v = along * (b * ty + d * tz);
-    flow = alongGradient (a, 0.0f, c, -c * qy, c * qx - a * qz, a * qy) +
-           alongGradient (0.0f, b, d, b * qz - d * qy, d * qx, -b * qx) +
-           ahead_u * ahead_u + ahead_v * ahead_v;
-    const float ax = tx - x, ay = ty - y, az = tz - z;
-    displacement = (qx * qx + qy * qy + qz * qz) * turning_.trace() -
-                   quadratic (turning_, qx, qy, qz) -
-                   2.0f * (qx * twist_.x() + qy * twist_.y() + qz * twist_.z()) +
-                   moving_.trace() + along * along * (ax * ax + ay * ay + az * az);
-  }
+/** Variance of g . (moved point), with h = g x q. */
+[[gnu::always_inline]] inline float
+alongGradient (const TurnedCovariance& t,
+               float gx,
+               float gy,
+               float gz,
+               float hx,
+               float hy,
+               float hz)
+{
+  const float (&b)[9] = t.both;
+  return quadratic (t.turning, hx, hy, hz) -
+         2.0f * (hx * (b[0] * gx + b[1] * gy + b[2] * gz) +
+                 hy * (b[3] * gx + b[4] * gy + b[5] * gz) +
+                 hz * (b[6] * gx + b[7] * gy + b[8] * gz)) +
+         quadratic (t.moving, gx, gy, gz);
+}
 
-  /** Variance of g . (moved point), with h = g x q. */
-  [[gnu::always_inline]] float
-  alongGradient (float gx, float gy, float gz, float hx, float hy, float hz) const
-  {
-    const Eigen::Matrix3f& b = both_;
-    return quadratic (turning_, hx, hy, hz) -
-           2.0f * (hx * (b (0, 0) * gx + b (0, 1) * gy + b (0, 2) * gz) +
-                   hy * (b (1, 0) * gx + b (1, 1) * gy + b (1, 2) * gz) +
-                   hz * (b (2, 0) * gx + b (2, 1) * gy + b (2, 2) * gz)) +
-           quadratic (moving_, gx, gy, gz);
-  }
+/** Carries the covariance to a point: traces of J C J' with J = (-[q]x, 1) as from
+ * pointJacobian, by the blocks of C. */
+[[gnu::always_inline]] inline void
+carryToPoint (const TurnedCovariance& t,
+              float x,
+              float y,
+              float z,
+              float& flow,
+              float& displacement)
+{
+  const float (&r)[9] = t.rotation;
+  const float ox = x - t.centroid[0], oy = y - t.centroid[1], oz = z - t.centroid[2];
+  const float qx = r[0] * ox + r[1] * oy + r[2] * oz;
+  const float qy = r[3] * ox + r[4] * oy + r[5] * oz;
+  const float qz = r[6] * ox + r[7] * oy + r[8] * oz;
+  const float tx = qx + t.turned_centroid[0], ty = qy + t.turned_centroid[1],
+              tz = qz + t.turned_centroid[2];
+  // Another inverse depth takes the point along its ray.
+  const float along = z * t.noise;
+  const float mz = tz + t.translation[2];
+  const float w = mz > 1e-3f ? 1.0f / mz : std::numeric_limits<float>::quiet_NaN();
+  const float a = t.fx * w, c = -a * (tx + t.translation[0]) * w; // d u / d (x, z)
+  const float b = t.fy * w, d = -b * (ty + t.translation[1]) * w; // d v / d (y, z)
+  const float ahead_u = along * (a * tx + c * tz);
+  const float ahead_v = along * (b * ty + d * tz);
+  flow = alongGradient (t, a, 0.0f, c, -c * qy, c * qx - a * qz, a * qy) +
+         alongGradient (t, 0.0f, b, d, b * qz - d * qy, d * qx, -b * qx) +
+         ahead_u * ahead_u + ahead_v * ahead_v;
+  const float ax = tx - x, ay = ty - y, az = tz - z;
+  displacement = (qx * qx + qy * qy + qz * qz) * t.turning_trace -
+                 quadratic (t.turning, qx, qy, qz) -
+                 2.0f * (qx * t.twist[0] + qy * t.twist[1] + qz * t.twist[2]) +
+                 t.moving_trace + along * along * (ax * ax + ay * ay + az * az);
+}
 
-  Eigen::Matrix3f rotation_;
-  Eigen::Vector3f centroid_, turned_centroid_, translation_;
-  Eigen::Matrix3f turning_, both_, moving_; ///< blocks of the covariance, turned
-  Eigen::Vector3f twist_;                   ///< with q . twist = trace ([q]x both)
-  float fx_, fy_;
-  float noise_;
+/** Some points of a segment. */
+struct PointBlock {
+  const TurnedCovariance* covariance;
+  const float *x, *y, *z;
+  int count; ///< kBlock at the most
+  BlockVariances* out;
 };
+
+[[gnu::always_inline]] inline void
+carryToBlock (const PointBlock& block)
+{
+#pragma omp simd
+  for (int i = 0; i < block.count; ++i)
+    carryToPoint (*block.covariance,
+                  block.x[i],
+                  block.y[i],
+                  block.z[i],
+                  block.out->flow[i],
+                  block.out->displacement[i]);
+}
+
+PCL_MSF_VERSIONS (carry, carryToBlock, PointBlock)
 
 /** Where motions differ within a radius: 255 in CV_8UC1. Inside of a rigid body they
  * hardly do. */
@@ -259,19 +298,21 @@ fillDeviations (const SegmentPixels& p,
                 double inverse_depth_noise,
                 const DeviationTuning& tuning,
                 int threads,
-                SceneFlow& result)
+                SceneFlow& result,
+                InstructionSet set)
 {
   DeviationWriter writer (camera, tuning, threads, result);
   parallelFor (threads, p.segments(), 8, [&] (int k) {
-    const SegmentVariance own (result.segments[k].current_from_reference,
-                               covariances[k],
-                               p.centroid[k],
-                               camera,
-                               inverse_depth_noise);
+    const TurnedCovariance own =
+        turnedCovariance (result.segments[k].current_from_reference,
+                          covariances[k],
+                          p.centroid[k],
+                          camera,
+                          inverse_depth_noise);
     BlockVariances block;
     for (int first = p.begin[k]; first < p.begin[k + 1]; first += kBlock) {
       const int count = std::min (kBlock, p.begin[k + 1] - first);
-      own.carry (p, first, count, block);
+      carry ({&own, &p.x[first], &p.y[first], &p.z[first], count, &block}, set);
       for (int i = 0; i < count; ++i)
         writer.write (
             p.pixel[first + i],

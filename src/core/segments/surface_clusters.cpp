@@ -31,16 +31,74 @@ struct Run {
   float label[kRun]; ///< a whole number
 };
 
+/** A run, and the clusters that its pixels may belong to. */
+struct Choice {
+  Run* run;
+  int n; ///< pixels
+  float y;
+  const Cluster* clusters;      ///< of the whole grid
+  int columns;                  ///< of that
+  int top, bottom, left, right; ///< a part of it, inclusive
+  float inverse_step;           ///< of the grid, 1 / pixels
+  float noise;                  ///< of inverse depth
+  const SegmentTuning* tuning;
+};
+
+[[gnu::always_inline]] inline void
+compareRun (Run& run, int n, const Cluster& k, float label, float dy, const Choice& all)
+{
+  const float inverse_step = all.inverse_step;
+  const float plane_limit = all.tuning->clusters.plane_limit;
+  const float intensity_scale = all.tuning->clusters.intensity_scale;
+#pragma omp simd
+  for (int i = 0; i < n; ++i) {
+    const float dx = run.x[i] - k.x;
+    const float off =
+        (run.w[i] - k.w - k.du * dx - k.dv * dy) * run.inverse_tolerance[i];
+    const float off2 = off * off;
+    const float shade = (run.intensity[i] - k.intensity) * intensity_scale;
+    const float distance = (dx * dx + dy * dy) * inverse_step * inverse_step +
+                           (off2 < plane_limit ? off2 : plane_limit) + shade * shade;
+    const float best = run.best[i];
+    const float nearer = distance < best ? 1.0f : 0.0f;
+    run.best[i] = distance < best ? distance : best;
+    run.label[i] += nearer * (label - run.label[i]);
+  }
+}
+
+[[gnu::always_inline]] inline void
+chooseNearest (const Choice& choice)
+{
+  Run& run = *choice.run;
+  const float plane_scale = choice.tuning->clusters.plane_scale;
+  for (int i = 0; i < choice.n; ++i) {
+    run.inverse_tolerance[i] =
+        plane_scale / surfaceTolerance (run.w[i], choice.noise, *choice.tuning);
+    run.best[i] = 1e30f;
+    run.label[i] = -1.0f;
+  }
+  for (int r = choice.top; r <= choice.bottom; ++r)
+    for (int c = choice.left; c <= choice.right; ++c) {
+      const int label = r * choice.columns + c;
+      const Cluster k = choice.clusters[label];
+      compareRun (run, choice.n, k, static_cast<float> (label), choice.y - k.y, choice);
+    }
+}
+
+PCL_MSF_VERSIONS (findNearest, chooseNearest, Choice)
+
 class Clusterer {
 public:
   Clusterer (const FrameLevel& level,
              double noise,
              int size,
              const SegmentTuning& tuning,
-             int threads)
+             int threads,
+             InstructionSet set)
   : level_ (level)
   , tuning_ (tuning)
   , threads_ (threads)
+  , set_ (set)
   , noise_ (static_cast<float> (noise))
   , step_ (static_cast<float> (size))
   , columns_ (std::max (1, (level.width() + size / 2) / size))
@@ -75,7 +133,7 @@ private:
   void
   assignRow (int y, int stride);
   void
-  findNearest (int y, int column, int n, Run& run) const;
+  label (int y, int column, int n, Run& run) const;
   int
   rowOf (int y) const
   {
@@ -96,6 +154,7 @@ private:
   const FrameLevel& level_;
   const SegmentTuning& tuning_;
   int threads_;
+  InstructionSet set_;
   float noise_;
   float step_;
   int columns_;
@@ -131,41 +190,22 @@ Clusterer::seed()
 /** Labels of n pixels of row y in a column of the seeds' grid: of the nearest among the
  * clusters seeded around. */
 void
-Clusterer::findNearest (int y, int column, int n, Run& run) const
+Clusterer::label (int y, int column, int n, Run& run) const
 {
   const int row = rowOf (y);
-  const float inverse_step = 1.0f / step_;
-  const float plane_scale = tuning_.clusters.plane_scale;
-  const float plane_limit = tuning_.clusters.plane_limit;
-  const float intensity_scale = tuning_.clusters.intensity_scale;
-  for (int i = 0; i < n; ++i) {
-    run.inverse_tolerance[i] =
-        plane_scale / surfaceTolerance (run.w[i], noise_, tuning_);
-    run.best[i] = 1e30f;
-    run.label[i] = -1.0f;
-  }
-  for (int r = std::max (0, row - 1); r <= std::min (rows_ - 1, row + 1); ++r)
-    for (int c = std::max (0, column - 1); c <= std::min (columns_ - 1, column + 1);
-         ++c) {
-      const auto candidate = static_cast<float> (r * columns_ + c);
-      const Cluster k = clusters_[candidate];
-      const float dy = static_cast<float> (y) - k.y;
-#pragma omp simd
-      for (int i = 0; i < n; ++i) {
-        const float dx = run.x[i] - k.x;
-        const float off =
-            (run.w[i] - k.w - k.du * dx - k.dv * dy) * run.inverse_tolerance[i];
-        const float off2 = off * off;
-        const float shade = (run.intensity[i] - k.intensity) * intensity_scale;
-        const float distance = (dx * dx + dy * dy) * inverse_step * inverse_step +
-                               (off2 < plane_limit ? off2 : plane_limit) +
-                               shade * shade;
-        const float best = run.best[i];
-        const float nearer = distance < best ? 1.0f : 0.0f;
-        run.best[i] = distance < best ? distance : best;
-        run.label[i] += nearer * (candidate - run.label[i]);
-      }
-    }
+  findNearest ({&run,
+                n,
+                static_cast<float> (y),
+                clusters_.data(),
+                columns_,
+                std::max (0, row - 1),
+                std::min (rows_ - 1, row + 1),
+                std::max (0, column - 1),
+                std::min (columns_ - 1, column + 1),
+                1.0f / step_,
+                noise_,
+                &tuning_},
+               set_);
 }
 
 void
@@ -185,7 +225,7 @@ Clusterer::assignRow (int y, int stride)
       run.w[n] = w[x];
       run.intensity[n] = intensity ? intensity[x] : 0.0f;
     }
-    findNearest (y, column, n, run);
+    label (y, column, n, run);
     for (int i = 0; i < n; ++i)
       labels[first + i * stride] =
           run.w[i] > 0.0f ? static_cast<int> (run.label[i]) : -1;
@@ -275,9 +315,10 @@ clusterSurfaces (const FrameLevel& level,
                  double inverse_depth_noise,
                  int size,
                  const SegmentTuning& tuning,
-                 int threads)
+                 int threads,
+                 InstructionSet set)
 {
-  return Clusterer (level, inverse_depth_noise, size, tuning, threads).run();
+  return Clusterer (level, inverse_depth_noise, size, tuning, threads, set).run();
 }
 
 } // namespace pcl_msf

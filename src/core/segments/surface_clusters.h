@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "core/base/instruction_set.h"
 #include "core/base/tuning/segment_tuning.h"
 #include <pcl_msf/rgbd_frame.h>
 
@@ -15,13 +16,15 @@ namespace pcl_msf {
  * SLIC (Achanta et al., PAMI 2012) with the distance from the cluster's plane, in units
  * of the sensor's noise, as its main feature, and the intensity beside it: planes are
  * affine in inverse depth, so a receding floor is one surface and a depth edge is not.
- * \param size aimed side of a cluster, pixels */
+ * All instruction sets give the same labels. \param size aimed side of a cluster,
+ * pixels */
 cv::Mat
 clusterSurfaces (const FrameLevel& level,
                  double inverse_depth_noise,
                  int size,
                  const SegmentTuning& tuning,
-                 int threads);
+                 int threads,
+                 InstructionSet set = chosenInstructionSet());
 
 /** \brief Standard deviation that a pixel of inverse depth w is judged by when asking
  * whether it lies on a plane: the noise, and a share of w for what is not plane. */

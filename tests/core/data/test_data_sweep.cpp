@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "core/base/instruction_set.h"
 #include "core/data/data_term.h"
 #include "support/analytic_scene.h"
 #include "support/points.h"
@@ -146,6 +147,8 @@ INSTANTIATE_TEST_SUITE_P (Angles, Kernels, testing::Values (0.0, 0.02, 0.3));
 TEST (KernelChoice, EndsWithTheOneOfAnyProcessor)
 {
   EXPECT_STREQ (kernel::usableKernels().back().name, "default");
+  EXPECT_EQ (kernel::usableKernels().size(), usableInstructionSets().size());
+  EXPECT_STREQ (kernel::chosenKernel().name, nameOf (chosenInstructionSet()));
 }
 
 class Gradient : public testing::TestWithParam<double> {};

@@ -4,10 +4,12 @@
 
 #include <Eigen/Geometry>
 
+#include "core/frame/normals.h"
 #include "support/slanted_plane.h"
 #include <pcl_msf/rgbd_frame.h>
 
 #include <cmath>
+#include <random>
 
 namespace {
 
@@ -112,6 +114,25 @@ TEST (CentralDifferences, FindAFloorAtAGrazingAngle)
     for (int x = 0; x < 96; ++x)
       EXPECT_LT (cv::norm (normals.at<cv::Vec3f> (y, x) - cv::Vec3f (0, -1, 0)), 1e-3)
           << x << " " << y;
+}
+
+TEST (CentralDifferences, AllInstructionSetsGiveTheSameBits)
+{
+  std::mt19937 random (5);
+  std::normal_distribution<double> noise (0.0, 2e-3);
+  const cv::Mat inverse_depth = test::image (171, 40, [&] (int x, int y) {
+    const double w = x < 90 ? 0.5 + 0.001 * y : 0.8 - 0.002 * x;
+    return (x + y) % 17 == 0 ? 0.0 : w + noise (random);
+  });
+  for (const double level : {1e-4, 2e-3}) { // narrow and wide windows
+    const auto by = [&] (InstructionSet set) {
+      return normalsByCentralDifferences (inverse_depth, kCamera, level, {}, set);
+    };
+    const cv::Mat plain = by (InstructionSet::Default);
+    EXPECT_GT (cv::countNonZero (plain.reshape (1) != 0.0f), 3 * 171 * 20);
+    for (const InstructionSet set : usableInstructionSets())
+      EXPECT_EQ (cv::norm (by (set), plain, cv::NORM_INF), 0.0) << nameOf (set);
+  }
 }
 
 TEST (NormalMethods, NoneLeavesThemOut)

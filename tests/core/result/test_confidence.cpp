@@ -59,10 +59,12 @@ public:
   }
 
   const SceneFlow&
-  filled (const Matrix6& covariance, double inverse_depth_noise)
+  filled (const Matrix6& covariance,
+          double inverse_depth_noise,
+          InstructionSet set = chosenInstructionSet())
   {
     fillDeviations (
-        pixels_, {covariance}, camera_, inverse_depth_noise, tuning_, 1, scene_);
+        pixels_, {covariance}, camera_, inverse_depth_noise, tuning_, 1, scene_, set);
     return scene_;
   }
 
@@ -71,6 +73,29 @@ public:
   SceneFlow scene_;
   DeviationTuning tuning_;
 };
+
+TEST (Confidence, AllInstructionSetsGiveTheSameBits)
+{
+  Matrix6 covariance = 1e-6 * Matrix6::Identity();
+  covariance (0, 4) = covariance (4, 0) = 5e-7;
+  FewPoints few;
+  for (int i = 0; i < 300; ++i) { // more of the same image's points, none of them new
+    few.pixels_.pixel.push_back (i % 3);
+    few.pixels_.x.push_back (0.013f * static_cast<float> (i % 37));
+    few.pixels_.y.push_back (-0.007f * static_cast<float> (i % 53));
+    few.pixels_.z.push_back (1.0f + 0.01f * static_cast<float> (i));
+  }
+  few.pixels_.begin = {0, 303};
+  few.filled (covariance, 0.004, InstructionSet::Default);
+  const cv::Mat flow = few.scene_.flow_deviation.clone();
+  const cv::Mat displacement = few.scene_.displacement_deviation.clone();
+  for (const InstructionSet set : usableInstructionSets()) {
+    few.filled (covariance, 0.004, set);
+    EXPECT_EQ (cv::norm (few.scene_.flow_deviation, flow, cv::NORM_INF), 0.0);
+    EXPECT_EQ (cv::norm (few.scene_.displacement_deviation, displacement, cv::NORM_INF),
+               0.0);
+  }
+}
 
 TEST (Confidence, DeviationsAreThoseOfRandomPosesAndDepths)
 {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/segments/connected_segments.h"
+#include "core/segments/surface_clusters.h"
 #include "support/analytic_scene.h"
 #include "support/points.h"
 #include <pcl_msf/oversegmentation.h>
@@ -248,6 +249,23 @@ TEST (Oversegmentation, FelzenszwalbMergesOrDiscardsSmallSegments)
   EXPECT_GT (cv::countNonZero (discarded.labels() >= 0), 0.8 * view.body.total());
   for (const int size : sizesOf (discarded))
     EXPECT_GE (size, p.min_points);
+}
+
+TEST (SurfaceClusters, AllInstructionSetsGiveTheSameLabels)
+{
+  const test::AnalyticScene scene = boxBeforeWall();
+  const RgbdFrame frame = scene.frame (scene.render (false));
+  for (const int size : {7, 24}) {
+    const auto by = [&] (InstructionSet set) {
+      return clusterSurfaces (frame.levels()[0], 1e-3, size, {}, 1, set);
+    };
+    const cv::Mat plain = by (InstructionSet::Default);
+    double most = 0.0;
+    cv::minMaxLoc (plain, nullptr, &most);
+    EXPECT_GT (most, 20.0);
+    for (const InstructionSet set : usableInstructionSets())
+      EXPECT_EQ (cv::norm (by (set), plain, cv::NORM_INF), 0.0) << nameOf (set);
+  }
 }
 
 } // namespace
