@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/solve/window_solve.h"
 
-#include "core/base/meanwhile.h"
 #include "core/base/parallel_for.h"
 #include "core/bodies/body_assignment.h"
 #include "core/bodies/body_merging.h"
@@ -108,9 +107,10 @@ WindowSolve::solve (const std::vector<Round>& schedule)
   begin_ = 0.0;
   share_ = 1.0;
   for (auto r = schedule.begin(); r != schedule.end(); ++r) {
-    const auto next =
-        std::find_if (r + 1, schedule.end(), [] (const Round& n) { return n.anew; });
-    upcoming_level_ = next == schedule.end() ? -1 : next->level;
+    if (r->anew)
+      enterLevel (*r);
+    if (r == schedule.begin())
+      prepareUpcoming ({r + 1, schedule.end()});
     round (*r);
   }
   report_.solve_seconds = monitor_.seconds() - report_.start_seconds;
@@ -163,9 +163,9 @@ WindowSolve::start (const RigidPose& guess, const std::vector<KnownStep>& known)
 void
 WindowSolve::enterLevel (const Round& round)
 {
-  if (upcoming_.valid()) {
-    level_ =
-        std::make_unique<WindowLevel> (scene_, round.level, upcoming_.get(), energy_);
+  if (upcoming_.has (round.level)) {
+    level_ = std::make_unique<WindowLevel> (
+        scene_, round.level, upcoming_.take (round.level), energy_);
     return;
   }
   const std::vector<cv::Mat> labels = carryLabels (round.level);
@@ -177,26 +177,26 @@ WindowSolve::enterLevel (const Round& round)
 }
 
 /** Of two frames, points of a level depend on nothing that the solve finds: another
- * thread makes the next level's, while this one has much to do alone. */
+ * thread makes those of all later levels, while this one has much to do alone. */
 void
-WindowSolve::prepareUpcoming()
+WindowSolve::prepareUpcoming (const std::vector<Round>& later)
 {
-  if (!isPair() || scene_.threads == 1 || upcoming_level_ < 0 || upcoming_.valid())
+  if (!isPair() || scene_.threads == 1)
     return;
-  PointOptions options = pointOptions (scene_, upcoming_level_);
-  options.threads = 1;
-  upcoming_ = meanwhile (scene_.threads,
-                         [this, options, labels = carryLabels (upcoming_level_)] {
-                           return prepareLevel (scene_, options.level, labels, options);
-                         });
+  std::vector<UpcomingLevels::Request> requests;
+  for (const Round& round : later)
+    if (round.anew) {
+      requests.push_back (
+          {carryLabels (round.level), pointOptions (scene_, round.level)});
+      requests.back().options.threads = 1;
+    }
+  if (!requests.empty())
+    upcoming_.begin (scene_, std::move (requests));
 }
 
 void
 WindowSolve::round (const Round& round)
 {
-  if (round.anew)
-    enterLevel (round);
-  prepareUpcoming();
   std::vector<char> moving; // empty: all
   if (round.spread && (moving = spreadMotions()).empty()) {
     if (round.measure)

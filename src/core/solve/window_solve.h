@@ -3,12 +3,12 @@
 #pragma once
 
 #include "core/energy/minimize.h"
+#include "core/solve/upcoming_levels.h"
 #include "core/solve/window_start.h"
 #include "core/start/pair_start.h"
 #include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/oversegmentation.h>
 
-#include <future>
 #include <memory>
 #include <vector>
 
@@ -166,7 +166,7 @@ private:
   void
   enterLevel (const Round& round);
   void
-  prepareUpcoming ();
+  prepareUpcoming (const std::vector<Round>& later);
   std::vector<cv::Mat>
   carryLabels (int level) const;
   void
@@ -219,8 +219,7 @@ private:
   std::vector<double> fit_;
   std::unique_ptr<WindowLevel> level_; ///< the present one
   Report report_;
-  int upcoming_level_{-1};            ///< that comes after the present one; -1: none
-  std::future<LevelPoints> upcoming_; ///< of that; waits for its thread as it goes
+  UpcomingLevels upcoming_; ///< after the first
 };
 
 } // namespace pcl_msf
