@@ -95,6 +95,16 @@ struct WindowState {
   std::vector<int>
   renumberBodies ();
 
+  /** \brief Linked segments of equal poses, in all pairs, become one body; numbered
+   * likewise. \param alone per segment: does it stay one by itself? Empty: none */
+  void
+  joinEqualPoses (const std::vector<SegmentLink>& links,
+                  const std::vector<char>& alone = {});
+
+  /** \brief Each segment becomes a body of its own, where it is. */
+  void
+  separate ();
+
   /** \brief The body of most segments, the first among equals; 0 without segments. */
   int
   largestBody () const;

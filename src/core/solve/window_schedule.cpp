@@ -8,9 +8,11 @@
 /* The rounds of WindowSolve. */
 namespace pcl_msf {
 
-/** From coarse to fine; at the two finest levels, segments that move as one merge:
- * above the finest one before it is solved, too, as bodies are steadier than segments,
- * and far fewer. The finest level is about half of the work, the start a fifth. */
+/** From coarse to fine. At the coarsest level, segments that start at one pose are
+ * solved for as one body, of which there are far fewer; at the two finest ones,
+ * segments that move as one merge: above the finest one before it is solved, too, as
+ * bodies are steadier than segments. The finest level is about half of the work, the
+ * start a fifth. */
 std::vector<WindowSolve::Round>
 WindowSolve::pairSchedule (int finest_level) const
 {
@@ -31,6 +33,7 @@ WindowSolve::pairSchedule (int finest_level) const
         user_.merge_bodies && 0 < level && level < coarsest;
     if (level == 0 && coarsest > 0)
       round.iterations = std::min (few, tuning.finest_iterations);
+    round.together = level == tuning.coarsest_level;
     rounds.push_back (round);
     if (level == tuning.coarsest_level)
       addSpreads (rounds);
@@ -76,6 +79,7 @@ WindowSolve::addSpreads (std::vector<Round>& rounds) const
     again.end += share;
     again.anew = false;
     again.spread = true;
+    again.together = i + 1 < spreads; // at last each for itself, as what bends needs
     again.iterations = static_cast<int> (
         std::ceil (scene_.tuning.solve.spread_share * user_.max_iterations));
     again.measure = i + 1 == spreads;

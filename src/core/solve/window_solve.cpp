@@ -197,8 +197,8 @@ WindowSolve::prepareUpcoming (const std::vector<Round>& later)
 void
 WindowSolve::round (const Round& round)
 {
-  std::vector<char> moving; // empty: all
-  if (round.spread && (moving = spreadMotions()).empty()) {
+  std::vector<char> jumped; // empty: all move
+  if (round.spread && (jumped = spreadMotions()).empty()) {
     if (round.measure)
       measureCorrelation (round.level);
     return;
@@ -214,7 +214,11 @@ WindowSolve::round (const Round& round)
   if (round.rescale_noise)
     level_->rescaleBodyNoise (state_);
   monitor_.enter (round.stage, round.level, round.begin, round.end, round.iterations);
-  minimize (round.iterations, moving);
+  if (round.together)
+    state_.joinEqualPoses (scene_.links, jumped);
+  minimize (round.iterations, movingBodies (jumped));
+  if (round.together)
+    state_.separate();
   if (round.measure)
     measureCorrelation (round.level);
   if (round.merge && user_.merge_bodies) {
@@ -254,8 +258,8 @@ WindowSolve::minimize (int iterations, const std::vector<char>& moving)
       endOfSolve (outcome.settled (scene_.tuning.solve.settled), outcome.failed);
 }
 
-/** Lost segments try their neighbours' motions. \return per segment: did it jump, or
- * one that it is linked with? Empty where few did */
+/** Lost segments try their neighbours' motions. \return per segment: did it jump? Empty
+ * where few did */
 std::vector<char>
 WindowSolve::spreadMotions()
 {
@@ -263,14 +267,24 @@ WindowSolve::spreadMotions()
   const int jumps = pair_start_.proposeToLost (*level_, state_.poses[0]);
   if (jumps == 0 || jumps < scene_.tuning.solve.enough_jumps * scene_.segments)
     return {};
-  const auto jumped = [&] (int k) {
-    return before[k].parameters != state_.poses[0][k].parameters;
-  };
-  std::vector<char> beside (scene_.segments, 0);
+  std::vector<char> jumped (scene_.segments, 0);
+  for (int k = 0; k < scene_.segments; ++k)
+    jumped[k] = before[k].parameters != state_.poses[0][k].parameters;
+  return jumped;
+}
+
+/** Per body: did a segment of it jump, or one that it is linked with? Empty: all move.
+ */
+std::vector<char>
+WindowSolve::movingBodies (const std::vector<char>& jumped) const
+{
+  if (jumped.empty())
+    return {};
+  std::vector<char> moving (state_.bodies(), 0);
   for (const SegmentLink& link : scene_.links)
-    if (jumped (link.first) || jumped (link.second))
-      beside[link.first] = beside[link.second] = 1;
-  return beside;
+    if (jumped[link.first] != 0 || jumped[link.second] != 0)
+      moving[state_.body_of[link.first]] = moving[state_.body_of[link.second]] = 1;
+  return moving;
 }
 
 /** What the residuals are worth, from those of the present bodies. */

@@ -105,12 +105,13 @@ private:
     int level;
     double begin, end; ///< of the progress
     int iterations;
-    bool anew{true};     ///< with a new level, segments carried by the present poses
-    bool fuse{false};    ///< with the depth of all frames
-    bool propose{false}; ///< segments may jump
-    bool spread{false};  ///< lost ones alone; without jumps there is no solve
-    bool measure{false}; ///< what residuals are worth, after the solve
-    bool presort{false}; ///< bodies merge before the solve, too
+    bool anew{true};      ///< with a new level, segments carried by the present poses
+    bool fuse{false};     ///< with the depth of all frames
+    bool together{false}; ///< segments of one pose are one body for the solve
+    bool propose{false};  ///< segments may jump
+    bool spread{false};   ///< lost ones alone; without jumps there is no solve
+    bool measure{false};  ///< what residuals are worth, after the solve
+    bool presort{false};  ///< bodies merge before the solve, too
     bool rescale_noise{false}; ///< of rigid bodies, by their own residuals
     bool merge{false};      ///< after the solve, and segments choose among the bodies
     bool keep_worth{false}; ///< residuals are worth what they were; else they are
@@ -177,6 +178,8 @@ private:
   minimize (int iterations, const std::vector<char>& moving = {});
   std::vector<char>
   spreadMotions ();
+  std::vector<char>
+  movingBodies (const std::vector<char>& jumped) const;
   void
   measureCorrelation (int level);
   void
