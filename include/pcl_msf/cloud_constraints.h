@@ -15,9 +15,12 @@ struct KnownPair {
   int source{0};      ///< index
   int target{0};      ///< index
   double weight{1.0}; ///< (0, 1e9]; 1 = right to about the distance between neighbours
+  int cloud{0}; ///< of several targets the one that is meant, from 0, in the order
+                ///< of time
 };
 
-/** \brief Where a given segment begins. */
+/** \brief Where a given segment begins: of several targets in the one after the source,
+ * or before it when there is none after it. */
 struct SegmentGuess {
   int segment{0}; ///< label
   RigidPose target_from_source;
@@ -41,7 +44,7 @@ struct PCL_MSF_EXPORT CloudConstraints {
   std::vector<float> point_weights; ///< per source point, [0, 1e6]: of its matches; 0 =
                                     ///< it only follows; empty = 1 each
   std::vector<int> fixed_segments;  ///< keep the pose that they begin with, by default
-                                    ///< where they are, and join no part
+                                    ///< where they are, in all targets; join no part
   std::vector<SegmentGuess> guesses; ///< for single segments in place of the guess for
                                      ///< all; the last one counts
 

@@ -5,6 +5,7 @@
 #include <pcl_msf/cloud_constraints.h>
 #include <pcl_msf/cloud_flow.h>
 #include <pcl_msf/export.h>
+#include <pcl_msf/multiframe_scene_flow.h>
 #include <pcl_msf/parameters.h>
 
 #include <vector>
@@ -25,6 +26,13 @@ struct CloudBrightness {
   }
 };
 
+/** \brief A cloud of a window. */
+struct CloudFrame {
+  std::vector<Eigen::Vector3f> points; ///< not finite = unknown
+  std::vector<float> brightness; ///< per point, in any unit, NaN = unknown; empty =
+                                 ///< none is known
+};
+
 /** \brief Registers articulated and deforming bodies given as points without a grid.
  *
  * The source's surface is cut into segments, each moves rigidly, neighbours hold
@@ -33,15 +41,25 @@ struct CloudBrightness {
  * are found by what bending keeps: the distances along the surface. Segments that move
  * as one are merged to parts.
  *
+ * Several clouds, a window, are registered jointly (Eq. 13): each begins where the one
+ * before it was found, so that a body that moves on is followed by small steps; then
+ * all of them are solved together, with the clouds that follow each other, and the
+ * parts are what moves as one in all of them. Time and memory grow with the number of
+ * clouds.
+ *
  * Nothing depends on the unit of the points. Points that are not finite are unknown in
  * the result. The result does not depend on the number of threads. Objects keep no
  * state: one may be used from several threads.
  */
 class PCL_MSF_EXPORT CloudFlowEstimator {
 public:
-  /** \throws InvalidInput for bad values */
+  /** \param multiframe of windows its concatenation_weight alone, lambda of Eq. 14
+   * between clouds that follow each other; 0 = each cloud is solved for itself, from
+   * where the one before it was found, and only the parts are common
+   * \throws InvalidInput for bad values */
   explicit CloudFlowEstimator (SolverParameters solver = {},
-                               CloudConstraints constraints = {});
+                               CloudConstraints constraints = {},
+                               MultiframeParameters multiframe = {});
 
   /** \param source, target 20 different finite points or more each
    * \param start where to begin: one rigid motion of all
@@ -60,9 +78,33 @@ public:
             const std::vector<int>& segments = {},
             const CloudBrightness& brightness = {}) const;
 
+  /** \brief Registers one of several clouds to all others.
+   * \param frames two or more, in the order of time; 20 different finite points or more
+   * each
+   * \param reference index of the frame whose points are followed: the source
+   * \param start of all, one rigid motion: into the frame after the reference, or into
+   * the one before it when there is none after it
+   * \param segments of the reference's points, as in estimate
+   * \param brightness_weight [0, 1000], as CloudBrightness's; frames that have none are
+   * registered by shape alone
+   * \return per frame the reference's points in it, `target_from_source` = frame from
+   * reference. Parts, their order and the points' are the same in all; joints and
+   * confidence are each frame's own. Frames that were not found say so in their report;
+   * counts and times are the whole window's. The reference's own element holds only the
+   * report of all: converged when all frames are. Of two frames the result is
+   * estimate's, to the bit
+   * \throws InvalidInput naming the remedy */
+  std::vector<CloudFlow>
+  estimateWindow (const std::vector<CloudFrame>& frames,
+                  int reference = 0,
+                  const RigidPose& start = {},
+                  const std::vector<int>& segments = {},
+                  double brightness_weight = 1.0) const;
+
 private:
   SolverParameters solver_;
   CloudConstraints constraints_;
+  MultiframeParameters multiframe_;
 };
 
 } // namespace pcl_msf

@@ -46,10 +46,11 @@ namespace pcl_msf {
  *
  * <b>Clouds without a grid</b> (laser scans, merged or filtered clouds, vertices) are
  * registered by nearest neighbours, see setCorrespondence and CloudFlowEstimator: any
- * unit, any z, one target. Brightness that varies over both tells what slides within
- * its surface. Parts are the segments, getJoints tells how they turn; images of the
- * scene flow are as wide as the cloud, optical flow is NaN. setIndices leaves out
- * points exactly there. setKnownCorrespondences, setCloudConstraints: what is known.
+ * unit, any z. Brightness that varies over both tells what slides within its surface.
+ * Parts are the segments, the same in all frames, getJoints tells how they turn; images
+ * of the scene flow are as wide as the cloud, optical flow is NaN. setIndices leaves
+ * out points exactly there. setKnownCorrespondences, setCloudConstraints: what is
+ * known. Each frame's own report says whether that one was found.
  *
  * <b>Several targets.</b> addInputTarget and setInputTargets make a window of frames in
  * the order of time, the source being the one that setReferenceFrame says, the first by
@@ -131,17 +132,14 @@ public:
   void
   setInputTarget (const PointCloudTargetConstPtr& cloud) override;
 
-  /** \brief One more target, after those given so far. An empty or null one is refused:
-   * nothing is added. */
+  /** \brief One more target, after those given so far. An empty one is refused. */
   void
   addInputTarget (const PointCloudTargetConstPtr& cloud);
 
-  /** \brief All targets, in the order of time. An empty or null one among them drops
-   * all. */
+  /** \brief All targets, in the order of time. An empty one among them drops all. */
   void
   setInputTargets (const std::vector<PointCloudTargetConstPtr>& clouds);
 
-  /** \brief Drops all targets. */
   void
   clearInputTargets ();
 
@@ -161,31 +159,28 @@ public:
     return reference_;
   }
 
-  /** \brief Points of the source to work on; a null pointer = all. The list is copied,
-   * and judged in align. */
+  /** \brief Points of the source to work on; null = all. Copied, judged in align. */
   void
   setIndices (const pcl::IndicesPtr& indices) override;
   void
   setIndices (const pcl::IndicesConstPtr& indices) override;
   void
   setIndices (const pcl::PointIndicesConstPtr& indices) override;
-  /** \brief A rectangle of the source of that moment, judged in align; an empty one is
-   * refused. */
+  /** \brief A rectangle of the source, judged in align; an empty one is refused. */
   void
   setIndices (std::size_t row_start,
               std::size_t col_start,
               std::size_t nb_rows,
               std::size_t nb_cols) override;
 
-  /** \brief A copy of the list that was set, or of the rectangle's points; empty when
-   * that is not inside the source. PCL's own when there is neither: null, after an
-   * align all points. */
+  /** \brief A copy of what was set; empty when that is not inside the source. PCL's own
+   * when nothing was set: null, after an align all points. */
   pcl::IndicesPtr
   getIndices () const;
 
   /** \brief Sets `pairs` of CloudConstraints alone, from PCL's: index_query of the
-   * source, index_match of the target; without a match (index -1) refused.
-   * \param weights as KnownPair's, one per pair; empty = 1 each */
+   * source, index_match of the target, of several the first; without a match (index -1)
+   * refused. \param weights as KnownPair's, one per pair; empty = 1 each */
   void
   setKnownCorrespondences (const pcl::Correspondences& correspondences,
                            const std::vector<double>& weights = {});
@@ -233,8 +228,7 @@ public:
 
   /** \brief Everything that the last align found about the motion to the last target,
    * on the source's pixels. Images are empty after a failure and before the first
-   * align.
-   */
+   * align. */
   const SceneFlow&
   getSceneFlow () const
   {
@@ -253,30 +247,34 @@ public:
     return result_;
   }
 
-  /** \brief The source carried to a frame of the window by the last align, organized
-   * like the source, all points; see align's cloud. Empty, with a PCL_ERROR, for frames
-   * that there are none of. */
+  /** \brief The source carried to a frame by the last align, organized like the source,
+   * all points. Empty, with a PCL_ERROR, for frames that there are none of. */
   PointCloudSource
   getWarpedCloud (int frame) const;
 
-  /** \brief T_k^{from,to} of a segment: takes points of frame `from` to frame `to`. The
-   * identity, with a PCL_ERROR, for frames or segments that there are none of. */
+  /** \brief T_k^{from,to} of a segment: points of frame `from` to frame `to`. Identity,
+   * with a PCL_ERROR, for frames or segments that there are none of. */
   Matrix4
   getPose (int from, int to, int segment) const;
 
   /** \brief Joints between the parts that the last align found by nearest neighbours,
-   * by the numbers of the scene flow's groups; empty after any other. */
+   * as they turn to the last target, by the numbers of the scene flow's groups. */
   const std::vector<CloudJoint>&
   getJoints () const
   {
-    return joints_;
+    return joints_.empty() ? detail::noJoints() : joints_[shown_];
   }
 
-  /** \brief How the last align went: stop reason, message, times, energy. */
+  /** \brief The same for another frame, empty as getSceneFlow (frame). */
+  const std::vector<CloudJoint>&
+  getJoints (int frame) const;
+
+  /** \brief How the last align went: stop reason, message, times, energy; without a
+   * grid that of the first target that was not found, if any. */
   const Report&
   getReport () const
   {
-    return getSceneFlow().report;
+    return result_.frames.empty() ? detail::noSceneFlow().report : result_.report();
   }
 
 protected:
@@ -295,6 +293,8 @@ private:
   usesNeighbors () const;
   void
   requireFittingLabels () const;
+  detail::NeighborTask
+  neighborTask (const pcl::Indices& points, const Matrix4& guess) const;
   void
   matchNeighbors (const pcl::Indices& points,
                   const Matrix4& guess,
@@ -325,7 +325,7 @@ private:
   PointCloudSourceConstPtr aligned_;              ///< the last align's source, a copy
   int reference_{0};
   MultiframeSceneFlow result_;
-  std::vector<CloudJoint> joints_;
+  std::vector<std::vector<CloudJoint>> joints_; ///< per frame; empty = by the camera
   int shown_{0}; ///< frame of the last target, in result_
   detail::PointSelection selection_;
 

@@ -16,7 +16,7 @@ namespace pcl_msf {
 
 /** \brief How a point of the source finds the target's. */
 enum class CorrespondenceMethod {
-  Auto,           ///< NearestNeighbor where the source or the only target has no grid
+  Auto,           ///< NearestNeighbor where the source or every target has no grid
   Projective,     ///< by the camera: brightness and projective ICP
   NearestNeighbor ///< by place and normal, see CloudFlowEstimator
 };
@@ -68,8 +68,9 @@ public:
 
   /** \brief How points find each other, default Auto: clouds without a grid by nearest
    * neighbours. With NearestNeighbor camera, frame and segmentation parameters have
-   * no effect, and of the energy's only brightness_weight: of colours beside shapes
-   * where both clouds have some that vary, 0 = shapes alone. */
+   * no effect, of the energy's only brightness_weight: of colours beside shapes
+   * where both clouds have some that vary, 0 = shapes alone, and of the multiframe's
+   * only concatenation_weight, of neighbouring frames. */
   void
   setCorrespondence (CorrespondenceMethod method);
   CorrespondenceMethod

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace pcl_msf::synthetic {
 namespace {
@@ -104,26 +105,47 @@ turnAbout (const Eigen::Vector3d& axis, double angle, const Eigen::Vector3d& poi
   return RigidPose::fromMatrix (r, point - r * point);
 }
 
-/** Turns the joints and moves the whole. */
+/** How the joints turn and the whole moves from one target to the next. */
+struct BodyMotion {
+  Eigen::Vector3d axis; ///< of the whole, about the first link's centre, 5 degrees
+  Eigen::Vector3d shift;
+  std::vector<double> angles; ///< per link with a parent, radians
+};
+
+BodyMotion
+drawMotion (const Body& body, double most, Random& random)
+{
+  BodyMotion motion;
+  for (const BodyLink& link : body.links())
+    if (link.parent < 0) {
+      motion.axis = random.direction();
+      motion.shift = 0.025 * random.direction();
+    }
+    else
+      motion.angles.push_back (random.sign() * random.uniform (0.5, 1.0) * most *
+                               kRadians);
+  return motion;
+}
+
+/** Turns the joints and moves the whole. \param times as far as between neighbours */
 void
-bend (const Body& body, double most, Random& random, BodyClouds& clouds)
+bend (const Body& body, const BodyMotion& motion, double times, BodyClouds& clouds)
 {
   const std::vector<BodyLink>& links = body.links();
   for (std::size_t l = 0; l < links.size(); ++l) {
     const BodyLink& link = links[l];
     if (link.parent < 0) {
       const RigidPose turn =
-          turnAbout (random.direction(), 5.0 * kRadians, link.center);
-      const Eigen::Vector3d shift = 0.025 * random.direction();
-      clouds.poses.push_back (
-          RigidPose::fromMatrix (turn.rotation(), turn.translation() + shift));
+          turnAbout (motion.axis, times * 5.0 * kRadians, link.center);
+      clouds.poses.push_back (RigidPose::fromMatrix (
+          turn.rotation(), turn.translation() + times * motion.shift));
       continue;
     }
     BodyJoint joint;
     joint.child = static_cast<int> (l);
     joint.parent = link.parent;
     joint.axis = link.axis;
-    joint.angle = random.sign() * random.uniform (0.5, 1.0) * most * kRadians;
+    joint.angle = times * motion.angles[clouds.joints.size()];
     joint.point = link.joint;
     clouds.poses.push_back (clouds.poses[link.parent] *
                             turnAbout (joint.axis, joint.angle, joint.point));
@@ -222,28 +244,44 @@ BodyOptions::isValid (std::string* why) const
 BodyClouds
 synthesizeBody (const BodyOptions& options)
 {
-  std::string why;
-  if (!options.isValid (&why))
+  return synthesizeBodySequence (options, 1).front();
+}
+
+std::vector<BodyClouds>
+synthesizeBodySequence (const BodyOptions& options, int targets)
+{
+  std::string why = "there must be a target or more";
+  if (targets < 1 || !options.isValid (&why))
     throw InvalidInput (why);
   const Body body (options.body);
   Random random (options.seed);
-  BodyClouds clouds;
-  bend (body, options.angle, random, clouds);
+  const BodyMotion motion = drawMotion (body, options.angle, random);
+  std::vector<Eigen::Vector3d> source;
+  std::vector<int> link;
   const std::vector<RigidPose> rest (body.links().size());
   for (const DrawnPoint& p : body.draw (options.points, rest, random)) {
-    const Eigen::Vector3d seen = p.rest + noiseOf (options.noise, random);
-    clouds.source.push_back (seen.cast<float>());
-    clouds.truth.push_back ((clouds.poses[p.link] * seen).cast<float>());
-    clouds.link.push_back (p.link);
+    source.push_back (p.rest + noiseOf (options.noise, random));
+    link.push_back (p.link);
   }
-  for (const DrawnPoint& p : body.draw (options.points, clouds.poses, random))
-    clouds.target.push_back (
-        (clouds.poses[p.link] * p.rest + noiseOf (options.noise, random))
-            .cast<float>());
-  if (options.cut > 0.0)
-    cutOff (options.cut, random, clouds);
-  addOutliers (static_cast<int> (options.outliers * options.points), random, clouds);
-  return clouds;
+  std::vector<BodyClouds> sequence;
+  for (int k = 1; k <= targets; ++k) {
+    BodyClouds clouds;
+    clouds.link = link;
+    bend (body, motion, k, clouds);
+    for (std::size_t i = 0; i < source.size(); ++i) {
+      clouds.source.push_back (source[i].cast<float>());
+      clouds.truth.push_back ((clouds.poses[link[i]] * source[i]).cast<float>());
+    }
+    for (const DrawnPoint& p : body.draw (options.points, clouds.poses, random))
+      clouds.target.push_back (
+          (clouds.poses[p.link] * p.rest + noiseOf (options.noise, random))
+              .cast<float>());
+    if (options.cut > 0.0)
+      cutOff (options.cut, random, clouds);
+    addOutliers (static_cast<int> (options.outliers * options.points), random, clouds);
+    sequence.push_back (std::move (clouds));
+  }
+  return sequence;
 }
 
 } // namespace pcl_msf::synthetic

@@ -133,4 +133,36 @@ TEST (BodyClouds, FilesHoldThem)
   EXPECT_EQ (std::count (poses.begin(), poses.end(), '\n'), 4);
 }
 
+TEST (BodySequences, GoOnMovingAsTheyBegan)
+{
+  for (const BodyKind body : allBodies()) {
+    const std::vector<BodyClouds> sequence = synthesizeBodySequence (options (body), 3);
+    ASSERT_EQ (sequence.size(), 3u);
+    const BodyClouds first = synthesizeBody (options (body));
+    EXPECT_EQ (sequence[0].source, first.source);
+    EXPECT_EQ (sequence[0].target, first.target);
+    EXPECT_EQ (sequence[0].truth, first.truth);
+    for (int k = 1; k <= 3; ++k) {
+      const BodyClouds& clouds = sequence[k - 1];
+      EXPECT_EQ (clouds.source, first.source);
+      EXPECT_EQ (clouds.link, first.link);
+      EXPECT_NEAR (clouds.poses[0].angle(), k * 5.0 * M_PI / 180.0, 1e-9);
+      for (std::size_t j = 0; j < clouds.joints.size(); ++j) {
+        const BodyJoint& joint = clouds.joints[j];
+        EXPECT_NEAR (joint.angle, k * first.joints[j].angle, 1e-12);
+        const RigidPose turn =
+            clouds.poses[joint.parent].inverse() * clouds.poses[joint.child];
+        EXPECT_NEAR ((turn * joint.point - joint.point).norm(), 0.0, 1e-9);
+      }
+      for (std::size_t i = 0; i < clouds.source.size(); i += 50)
+        EXPECT_NEAR ((clouds.poses[clouds.link[i]] * clouds.source[i].cast<double>() -
+                      clouds.truth[i].cast<double>())
+                         .norm(),
+                     0.0,
+                     1e-6);
+    }
+  }
+  EXPECT_THROW (synthesizeBodySequence (options (BodyKind::Chain), 0), InvalidInput);
+}
+
 } // namespace

@@ -70,14 +70,18 @@ allBrightness (const pcl::PointCloud<PointT>& cloud)
 
 /** What nearest neighbours work on. */
 struct NeighborTask {
-  cv::Mat source;          ///< CV_32FC3, NaN = no point
-  cv::Mat target;          ///< likewise
-  pcl::Indices points;     ///< of the source that take part
+  cv::Mat source;               ///< CV_32FC3, NaN = no point
+  std::vector<cv::Mat> targets; ///< likewise, in the order of time
+  int reference{0};             ///< targets that come before the source
+  pcl::Indices points;          ///< of the source that take part
   std::vector<int> labels; ///< per source point, as CloudFlowEstimator takes segments
   CloudConstraints constraints;
   SolverParameters solver;
+  MultiframeParameters multiframe;
   RigidPose start;
-  CloudBrightness brightness; ///< per point of source and target
+  std::vector<float> brightness;                     ///< per source point, or empty
+  std::vector<std::vector<float>> target_brightness; ///< per target and point, or empty
+  double brightness_weight{1.0};
 };
 
 /** Labels of a cloud of any shape, as labelImage tells them. */
@@ -89,13 +93,17 @@ pointLabels (const pcl::PointCloud<pcl::Label>& labels);
 PCL_MSF_EXPORT std::vector<int>
 clusterLabels (const std::vector<pcl::PointIndices>& clusters, std::size_t size);
 
-/** A CloudFlow as the results of a window of two frames, each point a pixel of an image
- * of the cloud's width and height; parts, or given segments, are the segments. */
+/** CloudFlows as the results of a window, each point a pixel of an image of the cloud's
+ * width and height; parts, or given segments, are the segments. */
 struct NeighborRegistration {
   MultiframeSceneFlow flow;
-  std::vector<CloudJoint> joints;
-  std::vector<int> target; ///< per source point, -1 = none
+  std::vector<std::vector<CloudJoint>> joints; ///< per frame
+  std::vector<int> target; ///< per source point, of the last target, -1 = none
 };
+
+/** No joints. */
+PCL_MSF_EXPORT const std::vector<CloudJoint>&
+noJoints ();
 
 /** \throws InvalidInput naming the remedy */
 PCL_MSF_EXPORT NeighborRegistration

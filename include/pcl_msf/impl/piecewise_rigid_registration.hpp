@@ -119,8 +119,42 @@ PiecewiseRigidRegistration<PointT>::usesNeighbors() const
 {
   if (correspondence_ != CorrespondenceMethod::Auto)
     return correspondence_ == CorrespondenceMethod::NearestNeighbor;
-  // Of a window, the misfit of a single target is told.
-  return aligned_->height == 1 || (targets_.size() == 1 && targets_[0]->height == 1);
+  // Of some of the targets, the misfit is told.
+  return aligned_->height == 1 ||
+         (!targets_.empty() &&
+          std::all_of (targets_.begin(), targets_.end(), [] (const auto& target) {
+            return target->height == 1;
+          }));
+}
+
+template <typename PointT>
+detail::NeighborTask
+PiecewiseRigidRegistration<PointT>::neighborTask (const pcl::Indices& points,
+                                                  const Matrix4& guess) const
+{
+  detail::NeighborTask task;
+  task.source = detail::allPoints (*aligned_);
+  task.points = points;
+  task.reference = reference_;
+  task.constraints = constraints_;
+  task.solver = getSolverParameters();
+  task.multiframe = multiframe_;
+  task.start = detail::startPose (guess);
+  task.brightness_weight = (std::min) (energy_.brightness_weight, 1000.0);
+  const bool bright = task.brightness_weight > 0.0;
+  if (bright)
+    task.brightness = detail::allBrightness (*aligned_);
+  for (const PointCloudTargetConstPtr& target : targets_) {
+    task.targets.push_back (detail::allPoints (*target));
+    task.target_brightness.push_back (bright ? detail::allBrightness (*target)
+                                             : std::vector<float>());
+  }
+  requireFittingLabels();
+  if (labels_)
+    task.labels = detail::pointLabels (*labels_);
+  else if (!clusters_.empty())
+    task.labels = detail::clusterLabels (clusters_, aligned_->size());
+  return task;
 }
 
 template <typename PointT>
@@ -129,34 +163,14 @@ PiecewiseRigidRegistration<PointT>::matchNeighbors (const pcl::Indices& points,
                                                     const Matrix4& guess,
                                                     PointCloudSource& output)
 {
-  if (targets_.size() != 1 || reference_ != 0)
-    throw InvalidInput ("nearest neighbours take one target after the source: call "
-                        "setInputTarget, or setCorrespondence (Projective)");
-  detail::NeighborTask task{detail::allPoints (*aligned_),
-                            detail::allPoints (*targets_[0]),
-                            points,
-                            {},
-                            constraints_,
-                            getSolverParameters(),
-                            detail::startPose (guess),
-                            {}};
-  task.brightness.weight = (std::min) (energy_.brightness_weight, 1000.0);
-  if (energy_.brightness_weight > 0.0) {
-    task.brightness.source = detail::allBrightness (*aligned_);
-    task.brightness.target = detail::allBrightness (*targets_[0]);
-  }
-  requireFittingLabels();
-  if (labels_)
-    task.labels = detail::pointLabels (*labels_);
-  else if (!clusters_.empty())
-    task.labels = detail::clusterLabels (clusters_, aligned_->size());
+  detail::NeighborTask task = neighborTask (points, guess);
   detail::GuardedProgress progress (task.solver.progress);
   task.solver.progress = progress.function();
   detail::NeighborRegistration found = detail::registerByNeighbors (task);
   progress.rethrow();
   result_ = std::move (found.flow);
   joints_ = std::move (found.joints);
-  shown_ = 1;
+  shown_ = detail::lastTarget (static_cast<int> (result_.frames.size()), reference_);
   detail::warpCloud (getSceneFlow(), points, output);
   const SceneFlow& flow = getSceneFlow();
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -164,7 +178,7 @@ PiecewiseRigidRegistration<PointT>::matchNeighbors (const pcl::Indices& points,
     if (match < 0 || flow.visibility.data[points[i]] != Visibility::Visible)
       continue;
     const float distance =
-        (output[i].getVector3fMap() - (*targets_[0])[match].getVector3fMap())
+        (output[i].getVector3fMap() - (*this->target_)[match].getVector3fMap())
             .squaredNorm();
     this->correspondences_->emplace_back (points[i], match, distance);
   }
@@ -264,12 +278,12 @@ template <typename PointT>
 void
 PiecewiseRigidRegistration<PointT>::publish()
 {
-  const SceneFlow& flow = getSceneFlow();
-  setFinalTransformation (flow.dominant_motion.matrix());
-  this->nr_iterations_ = flow.report.iterations;
-  this->converged_ = flow.report.converged;
-  if (!this->converged_ && !flow.report.message.empty())
-    printError ("align", flow.report.message);
+  const Report& report = getReport();
+  setFinalTransformation (getSceneFlow().dominant_motion.matrix());
+  this->nr_iterations_ = report.iterations;
+  this->converged_ = report.converged;
+  if (!this->converged_ && !report.message.empty())
+    printError ("align", report.message);
 }
 
 template <typename PointT>

@@ -24,6 +24,18 @@ PiecewiseRigidRegistration<PointT>::getSceneFlow (int frame) const
 }
 
 template <typename PointT>
+const std::vector<CloudJoint>&
+PiecewiseRigidRegistration<PointT>::getJoints (int frame) const
+{
+  const auto frames = static_cast<int> (result_.frames.size());
+  if (frame < 0 || frame >= frames)
+    printError ("getJoints", "the last align had no such frame");
+  else if (!joints_.empty())
+    return joints_[frame];
+  return detail::noJoints();
+}
+
+template <typename PointT>
 typename PiecewiseRigidRegistration<PointT>::PointCloudSource
 PiecewiseRigidRegistration<PointT>::getWarpedCloud (int frame) const
 {

@@ -68,6 +68,14 @@ struct BodyClouds {
 PCL_MSF_EXPORT BodyClouds
 synthesizeBody (const BodyOptions& options);
 
+/** \brief The body seen again and again as it goes on moving: the target of the k-th,
+ * from 1, has joints turned k times as far as the first one's, and the whole moved k
+ * times as far. The source is the same in all, the first is synthesizeBody's.
+ * \param targets 1 or more \throws InvalidInput when it is not, nor the options valid
+ */
+PCL_MSF_EXPORT std::vector<BodyClouds>
+synthesizeBodySequence (const BodyOptions& options, int targets);
+
 /** \brief Writes source.ply, target.ply, truth.ply, labels.txt (a link a line),
  * poses.txt (a row-major 4x4 `target_from_source` a link), joints.txt (`child parent
  * axis(xyz) angle_deg point(xyz)` a joint, source pose). \throws IoError */

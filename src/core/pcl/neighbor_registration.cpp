@@ -3,6 +3,7 @@
 #include <pcl_msf/cloud_flow_estimator.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/impl/neighbor_registration.h>
+#include <pcl_msf/impl/registration_steps.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -190,6 +191,58 @@ countPoints (const CloudFlow& found, const pcl::Indices& points, SceneFlow& flow
     segment.centroid /= std::max (1, segment.points);
 }
 
+/** The clouds in the order of time. */
+std::vector<CloudFrame>
+framesOf (const NeighborTask& task)
+{
+  std::vector<CloudFrame> frames;
+  for (std::size_t t = 0; t < task.targets.size(); ++t)
+    frames.push_back ({pointsOf (task.targets[t]), task.target_brightness[t]});
+  frames.insert (frames.begin() + task.reference,
+                 {choose (pointsOf (task.source), task.points),
+                  choose (task.brightness, task.points)});
+  return frames;
+}
+
+void
+fillFlow (const CloudFlow& found, const NeighborTask& task, SceneFlow& flow)
+{
+  prepareImages (task.source, flow);
+  if (found.segment.empty())
+    addParts (found, flow);
+  else {
+    addGivenSegments (found, flow);
+    countPoints (found, task.points, flow);
+  }
+  for (std::size_t i = 0; i < task.points.size(); ++i)
+    fillPoint (found, i, task.points[i], flow);
+  flow.groups = static_cast<int> (found.parts.size());
+  flow.dominant_group = 0;
+  flow.dominant_motion = found.parts.front().target_from_source;
+}
+
+PairMotion
+pairMotion (const SceneFlow& flow, int from, int to)
+{
+  PairMotion motion{from, to, {}};
+  for (const SegmentMotion& segment : flow.segments)
+    motion.segments.push_back (segment.current_from_reference);
+  return motion;
+}
+
+/** The reference's report is the window's: that of the first frame that was not found,
+ * with what has been added to it. */
+void
+tellWindow (MultiframeSceneFlow& window)
+{
+  for (std::size_t f = 0; f < window.frames.size(); ++f)
+    if (static_cast<int> (f) != window.reference &&
+        !window.frames[f].report.converged) {
+      window.frames[window.reference].report = window.frames[f].report;
+      return;
+    }
+}
+
 } // namespace
 
 std::vector<int>
@@ -220,43 +273,44 @@ clusterLabels (const std::vector<pcl::PointIndices>& clusters, std::size_t size)
   return labels;
 }
 
+const std::vector<CloudJoint>&
+noJoints ()
+{
+  static const std::vector<CloudJoint> none;
+  return none;
+}
+
 NeighborRegistration
 registerByNeighbors (const NeighborTask& task)
 {
-  const CloudFlowEstimator estimator (task.solver, chooseConstraints (task));
-  CloudFlow found = estimator.estimate (choose (pointsOf (task.source), task.points),
-                                        pointsOf (task.target),
-                                        task.start,
-                                        choose (task.labels, task.points),
-                                        {choose (task.brightness.source, task.points),
-                                         task.brightness.target,
-                                         task.brightness.weight});
+  const std::vector<CloudFlow> found =
+      CloudFlowEstimator (task.solver, chooseConstraints (task), task.multiframe)
+          .estimateWindow (framesOf (task),
+                           task.reference,
+                           task.start,
+                           choose (task.labels, task.points),
+                           task.brightness_weight);
   NeighborRegistration result;
-  result.joints = found.joints;
   result.target.assign (task.source.total(), -1);
-  result.flow.frames.resize (2);
-  SceneFlow& flow = result.flow.frames[1];
-  prepareImages (task.source, flow);
-  if (found.segment.empty())
-    addParts (found, flow);
-  else {
-    addGivenSegments (found, flow);
-    countPoints (found, task.points, flow);
+  result.flow.reference = task.reference;
+  result.flow.frames.resize (found.size());
+  const int frames = static_cast<int> (found.size());
+  const int last = lastTarget (frames, task.reference);
+  for (int f = 0; f < frames; ++f) {
+    SceneFlow& flow = result.flow.frames[f];
+    flow.report = found[f].report;
+    result.joints.push_back (found[f].joints);
+    if (f == task.reference)
+      continue;
+    fillFlow (found[f], task, flow);
+    hintAtLostGrid (
+        task.source, task.targets[f < task.reference ? f : f - 1], flow.report);
+    result.flow.motions.push_back (pairMotion (flow, task.reference, f));
+    if (f == last)
+      for (std::size_t i = 0; i < task.points.size(); ++i)
+        result.target[task.points[i]] = found[f].target[i];
   }
-  PairMotion motion{0, 1, {}};
-  for (const SegmentMotion& segment : flow.segments)
-    motion.segments.push_back (segment.current_from_reference);
-  result.flow.motions.push_back (std::move (motion));
-  for (std::size_t i = 0; i < task.points.size(); ++i) {
-    fillPoint (found, i, task.points[i], flow);
-    result.target[task.points[i]] = found.target[i];
-  }
-  flow.groups = static_cast<int> (found.parts.size());
-  flow.dominant_group = 0;
-  flow.dominant_motion = found.parts.front().target_from_source;
-  hintAtLostGrid (task.source, task.target, found.report);
-  flow.report = found.report;
-  result.flow.frames[0].report = found.report;
+  tellWindow (result.flow);
   return result;
 }
 

@@ -17,6 +17,8 @@ wrongPairs (const std::vector<KnownPair>& pairs)
   for (const KnownPair& pair : pairs) {
     if (pair.source < 0 || pair.target < 0)
       return "indices of pairs must be >= 0";
+    if (pair.cloud < 0)
+      return "targets of pairs must be >= 0";
     if (!(pair.weight > 0.0 && pair.weight <= kHeaviestPair))
       return "weights of pairs must be in (0, 1e9]";
   }

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-#include "core/base/parallel_for.h"
-#include "core/points/cloud_textures.h"
-#include "core/points/point_result.h"
-#include "core/points/point_solve.h"
+#include "core/points/cloud_window.h"
 #include <pcl_msf/cloud_flow_estimator.h>
 #include <pcl_msf/errors.h>
 
-#include <chrono>
-#include <memory>
 #include <string>
 #include <utility>
 
@@ -16,23 +11,39 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kSteps = 150; // about, for the share that is done
-
-double
-secondsSince (std::chrono::steady_clock::time_point begin)
+void
+requireReference (std::size_t frames, int reference)
 {
-  const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - begin;
-  return gone.count();
+  if (frames < 2)
+    throw InvalidInput ("a window has two clouds or more: there are " +
+                        std::to_string (frames));
+  if (reference < 0 || static_cast<std::size_t> (reference) >= frames)
+    throw InvalidInput ("the reference is none of the " + std::to_string (frames) +
+                        " clouds: give its index, from 0");
+}
+
+/** The report of all targets: the first one's that was not found, if any. */
+Report
+windowReport (const std::vector<CloudFlow>& flows)
+{
+  for (const CloudFlow& flow : flows)
+    if (!flow.report.converged)
+      return flow.report;
+  return flows.front().report;
 }
 
 } // namespace
 
 CloudFlowEstimator::CloudFlowEstimator (SolverParameters solver,
-                                        CloudConstraints constraints)
-: solver_ (std::move (solver)), constraints_ (std::move (constraints))
+                                        CloudConstraints constraints,
+                                        MultiframeParameters multiframe)
+: solver_ (std::move (solver))
+, constraints_ (std::move (constraints))
+, multiframe_ (multiframe)
 {
   std::string why;
-  if (!solver_.isValid (&why) || !constraints_.isValid (&why))
+  if (!solver_.isValid (&why) || !constraints_.isValid (&why) ||
+      !multiframe_.isValid (&why))
     throw InvalidInput (why);
 }
 
@@ -43,50 +54,39 @@ CloudFlowEstimator::estimate (const std::vector<Eigen::Vector3f>& source,
                               const std::vector<int>& segments,
                               const CloudBrightness& brightness) const
 {
-  const auto begin = std::chrono::steady_clock::now();
-  const int threads = threadCount (solver_.threads);
-  if (!(brightness.weight >= 0.0 && brightness.weight <= 1000.0))
-    throw InvalidInput ("the weight of brightness is not in [0, 1000]");
-  Tuning tuning = currentTuning();
-  tuning.points.brightness.weight *= brightness.weight;
-  tuning.points.brightness.part_weight *= brightness.weight;
-  SolveProgress progress (solver_, kSteps);
-  const GivenSegments given = numberSegments (segments, source);
-  PointClouds clouds = preparePointClouds (source, target, tuning, threads, given.of);
-  addTextures (brightness,
-               source.size(),
-               target.size(),
-               tuning.points.brightness,
-               threads,
-               clouds);
-  const PriorKnowledge prior =
-      priorKnowledge (constraints_, clouds, given, source, target, tuning.points.match);
-  const double segment_seconds = secondsSince (begin);
-  const auto solve_from = [&] {
-    auto solve = std::make_unique<PointSolve> (
-        clouds, prior, clouds.scaled (start), tuning, threads, progress);
-    solve->run();
-    return solve;
-  };
-  std::unique_ptr<PointSolve> solve = solve_from();
-  if (!solve->brightnessAgrees() && !progress.stopped()) {
-    dropTextures (clouds);
-    solve = solve_from();
+  const GivenClouds given{
+      source, {{&target, &brightness, "target"}}, 0, segments, brightness.weight};
+  CloudWindow window (given, solver_, constraints_);
+  return std::move (window.run (start, 0.0).front());
+}
+
+std::vector<CloudFlow>
+CloudFlowEstimator::estimateWindow (const std::vector<CloudFrame>& frames,
+                                    int reference,
+                                    const RigidPose& start,
+                                    const std::vector<int>& segments,
+                                    double brightness_weight) const
+{
+  requireReference (frames.size(), reference);
+  const CloudFrame& source = frames[reference];
+  std::vector<CloudBrightness> brightness (frames.size());
+  GivenClouds given{source.points, {}, reference, segments, brightness_weight};
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    if (static_cast<int> (f) == reference)
+      continue;
+    if (!source.brightness.empty() && !frames[f].brightness.empty())
+      brightness[f] = {source.brightness, frames[f].brightness, brightness_weight};
+    const std::string number = std::to_string (given.targets.size() + 1);
+    given.targets.push_back ({&frames[f].points,
+                              &brightness[f],
+                              frames.size() > 2 ? "target " + number : "target"});
   }
-  const double solve_seconds = secondsSince (begin) - segment_seconds;
-  CloudFlow flow = makeCloudFlow (clouds,
-                                  prior,
-                                  given,
-                                  *solve,
-                                  source,
-                                  solver_.merge_bodies,
-                                  tuning.points,
-                                  threads);
-  noteOutcome (progress, tuning.points.result, flow);
-  flow.report.segment_seconds = segment_seconds;
-  flow.report.solve_seconds = solve_seconds;
-  flow.report.result_seconds = secondsSince (begin) - segment_seconds - solve_seconds;
-  return flow;
+  CloudWindow window (given, solver_, constraints_);
+  std::vector<CloudFlow> flows = window.run (start, multiframe_.concatenation_weight);
+  CloudFlow own;
+  own.report = windowReport (flows);
+  flows.insert (flows.begin() + reference, std::move (own));
+  return flows;
 }
 
 } // namespace pcl_msf

@@ -41,6 +41,7 @@ candidates (const PartBorders& b, int threads)
 /** Those of points that have a choice and take one of their candidates. */
 PointSamples
 takers (const PartBorders& b,
+        const std::vector<float>& brightness,
         const std::vector<Parts>& parts,
         int candidate,
         std::vector<int>& place)
@@ -51,13 +52,35 @@ takers (const PartBorders& b,
       const bool rigid = b.rigid[parts[i][candidate]] != 0;
       some.points.push_back (b.surface.points[i]);
       some.normals.push_back (b.surface.normals[i]);
-      if (!b.brightness.empty())
-        some.brightness.push_back (b.brightness[i]);
+      if (!brightness.empty())
+        some.brightness.push_back (brightness[i]);
       some.members.push_back (rigid ? b.oneOf (parts[i][candidate])
                                     : b.segments.members[i]);
       place.push_back (i);
     }
   return some;
+}
+
+/** Adds how far points are from a target with each of their candidates. */
+void
+addCosts (const PartBorders& b,
+          const BorderView& view,
+          const std::vector<Parts>& parts,
+          double limit,
+          int threads,
+          std::vector<Costs>& costs)
+{
+  for (int c = 0; c < kMost; ++c) { // one candidate after the other, all points
+    std::vector<int> place;
+    const PointSamples some = takers (b, view.brightness, parts, c, place);
+    const std::vector<float> cost =
+        view.target.distances (movePoints (some, view.poses, threads),
+                               view.rules,
+                               limit * view.spacing,
+                               threads);
+    for (std::size_t k = 0; k < place.size(); ++k)
+      costs[place[k]][c] += cost[k];
+  }
 }
 
 /** Costs as the mean over neighbours that have the same choice. */
@@ -107,22 +130,14 @@ PartBorders::oneOf (int part) const
 }
 
 std::vector<int>
-PartBorders::draw (MatchTarget& target,
-                   const MatchRules& rules,
-                   double spacing,
+PartBorders::draw (const std::vector<BorderView>& views,
                    const PointPartTuning& tuning,
                    int threads) const
 {
   const std::vector<Parts> parts = candidates (*this, threads);
   std::vector<Costs> costs (surface.size(), Costs{});
-  for (int c = 0; c < kMost; ++c) { // one candidate after the other, all points
-    std::vector<int> place;
-    const PointSamples some = takers (*this, parts, c, place);
-    const std::vector<float> cost = target.distances (
-        movePoints (some, poses, threads), rules, tuning.limit * spacing, threads);
-    for (std::size_t k = 0; k < place.size(); ++k)
-      costs[place[k]][c] = cost[k];
-  }
+  for (const BorderView& view : views)
+    addCosts (*this, view, parts, tuning.limit, threads, costs);
   for (int round = 0; round < tuning.smoothing; ++round)
     smooth (surface, parts, threads, costs);
   std::vector<int> part;

@@ -14,21 +14,26 @@ namespace pcl_msf {
 MatchRules
 fineRules (double distance, const PointPartTuning& tuning);
 
+/** \brief How one target tells parts apart. */
+struct BorderView {
+  MatchTarget& target;
+  const std::vector<RigidPose>& poses;  ///< per segment
+  const std::vector<float>& brightness; ///< per point; may be empty
+  MatchRules rules;
+  double spacing; ///< of the target
+};
+
 /** \brief Where one part ends and the next one begins. */
 struct PartBorders {
   const Surface& surface;
   const SurfaceSegments& segments;
-  const std::vector<int>& part_of;      ///< per segment
-  const std::vector<char>& rigid;       ///< per part
-  const std::vector<RigidPose>& poses;  ///< per segment
-  const std::vector<float>& brightness; ///< per point; may be empty
+  const std::vector<int>& part_of; ///< per segment
+  const std::vector<char>& rigid;  ///< per part
 
   /** \brief The part of every point: between parts that of the motion that fits the
-   * target best. \param rules that tell how well \param spacing of the target */
+   * targets best, all together. */
   std::vector<int>
-  draw (MatchTarget& target,
-        const MatchRules& rules,
-        double spacing,
+  draw (const std::vector<BorderView>& views,
         const PointPartTuning& tuning,
         int threads) const;
 

@@ -10,29 +10,33 @@ namespace pcl_msf {
 
 namespace {
 
-struct Part {
+/** A part as one target pulls at it. */
+struct PulledPart {
   RigidMoments moments;
   RigidPose pose;
   double minimum{0.0};
 };
 
+/** Per target. */
+using Part = std::vector<PulledPart>;
+
 class Merger {
 public:
-  Merger (const std::vector<RigidMoments>& moments,
-          const std::vector<RigidPose>& poses,
+  Merger (const std::vector<MergeView>& views,
           const std::vector<SegmentLink>& links,
-          double variance,
           const PointPartTuning& tuning)
-  : variance_ (variance)
+  : views_ (views)
   , tuning_ (tuning)
-  , parts_ (moments.size())
-  , queue_ (static_cast<int> (moments.size()))
+  , parts_ (views[0].moments.size(), Part (views.size()))
+  , queue_ (static_cast<int> (parts_.size()))
   {
-    for (std::size_t k = 0; k < moments.size(); ++k) {
-      parts_[k].moments = moments[k];
-      parts_[k].pose = moments[k].solve (poses[k]);
-      parts_[k].minimum = moments[k].cost (parts_[k].pose);
-    }
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+      for (std::size_t v = 0; v < views.size(); ++v) {
+        PulledPart& part = parts_[k][v];
+        part.moments = views[v].moments[k];
+        part.pose = part.moments.solve (views[v].poses[k]);
+        part.minimum = part.moments.cost (part.pose);
+      }
     for (const SegmentLink& link : links)
       queue_.link (link.first, link.second);
     for (const SegmentLink& link : links)
@@ -50,13 +54,14 @@ public:
   result ()
   {
     MergedParts merged;
+    merged.poses.resize (views_.size());
     std::vector<int> number (parts_.size(), -1);
     for (std::size_t k = 0; k < parts_.size(); ++k) {
       const int p = queue_.partOf (static_cast<int> (k));
       if (number[p] < 0) {
-        number[p] = static_cast<int> (merged.poses.size());
-        merged.poses.push_back (parts_[p].pose);
-        merged.moments.push_back (parts_[p].moments);
+        number[p] = static_cast<int> (merged.poses[0].size());
+        for (std::size_t v = 0; v < views_.size(); ++v)
+          merged.poses[v].push_back (parts_[p][v].pose);
       }
       merged.part_of.push_back (number[p]);
     }
@@ -64,48 +69,50 @@ public:
   }
 
 private:
-  static RigidMoments
-  sum (const Part& a, const Part& b)
+  static const PulledPart&
+  larger (const PulledPart& a, const PulledPart& b)
+  {
+    return a.moments.weight() >= b.moments.weight() ? a : b;
+  }
+  /** What one pose for both costs in a target over what is allowed. */
+  double
+  excess (const PulledPart& a, const PulledPart& b, double variance) const
   {
     RigidMoments both = a.moments;
     both.add (b.moments);
-    return both;
-  }
-  const Part&
-  larger (const Part& a, const Part& b) const
-  {
-    return a.moments.weight() >= b.moments.weight() ? a : b;
+    const RigidPose pose = both.solve (larger (a, b).pose);
+    const double increase = both.cost (pose) - a.minimum - b.minimum;
+    const double points = std::min (a.moments.weight(), b.moments.weight());
+    return increase / variance - tuning_.allowance - tuning_.per_point * points;
   }
   void
   consider (int first, int second)
   {
     const int a = std::min (first, second);
     const int b = std::max (first, second);
-    const RigidMoments both = sum (parts_[a], parts_[b]);
-    const RigidPose pose = both.solve (larger (parts_[a], parts_[b]).pose);
-    const double increase = both.cost (pose) - parts_[a].minimum - parts_[b].minimum;
-    const double points =
-        std::min (parts_[a].moments.weight(), parts_[b].moments.weight());
-    const double excess =
-        increase / variance_ - tuning_.allowance - tuning_.per_point * points;
-    if (excess < 0.0)
-      queue_.offer (excess, a, b);
+    double most = excess (parts_[a][0], parts_[b][0], views_[0].variance);
+    for (std::size_t v = 1; v < views_.size() && most < 0.0; ++v)
+      most = std::max (most, excess (parts_[a][v], parts_[b][v], views_[v].variance));
+    if (most < 0.0)
+      queue_.offer (most, a, b);
   }
   void
   merge (int a, int b)
   {
-    Part& to = parts_[a];
-    const Part& from = parts_[b];
-    const RigidPose start = larger (to, from).pose;
-    to.moments.add (from.moments);
-    to.pose = to.moments.solve (start);
-    to.minimum = to.moments.cost (to.pose);
+    for (std::size_t v = 0; v < views_.size(); ++v) {
+      PulledPart& to = parts_[a][v];
+      const PulledPart& from = parts_[b][v];
+      const RigidPose start = larger (to, from).pose;
+      to.moments.add (from.moments);
+      to.pose = to.moments.solve (start);
+      to.minimum = to.moments.cost (to.pose);
+    }
     queue_.merge (a, b);
     for (const int n : queue_.neighbors (a))
       consider (a, n);
   }
 
-  double variance_;
+  const std::vector<MergeView>& views_;
   const PointPartTuning& tuning_;
   std::vector<Part> parts_;
   MergeQueue queue_; ///< by the increase over what is allowed
@@ -114,13 +121,11 @@ private:
 } // namespace
 
 MergedParts
-mergeParts (const std::vector<RigidMoments>& moments,
-            const std::vector<RigidPose>& poses,
+mergeParts (const std::vector<MergeView>& views,
             const std::vector<SegmentLink>& links,
-            double variance,
             const PointPartTuning& tuning)
 {
-  Merger merger (moments, poses, links, variance, tuning);
+  Merger merger (views, links, tuning);
   merger.run();
   return merger.result();
 }

@@ -10,21 +10,26 @@
 
 namespace pcl_msf {
 
-/** \brief Parts that move as one. */
+/** \brief Segments as one target pulls at them. */
+struct MergeView {
+  std::vector<RigidMoments> moments; ///< per segment
+  std::vector<RigidPose> poses;      ///< per segment
+  double variance{1.0};              ///< of a residual of weight 1
+};
+
+/** \brief Parts that move as one in all targets. */
 struct MergedParts {
-  std::vector<int> part_of;          ///< per segment
-  std::vector<RigidMoments> moments; ///< per part
-  std::vector<RigidPose> poses;      ///< per part, the best of its moments
+  std::vector<int> part_of;                  ///< per segment
+  std::vector<std::vector<RigidPose>> poses; ///< per target and part, the best of its
+                                             ///< moments
 };
 
 /** \brief Joins segments that move as one, the cheapest first: two parts merge when one
- * pose for both costs no more than their noise explains.
- * \param moments, poses per segment \param variance of a residual of weight 1 */
+ * pose for both costs no more than their noise explains, in each of the targets.
+ * \param views one or more, of the same segments */
 MergedParts
-mergeParts (const std::vector<RigidMoments>& moments,
-            const std::vector<RigidPose>& poses,
+mergeParts (const std::vector<MergeView>& views,
             const std::vector<SegmentLink>& links,
-            double variance,
             const PointPartTuning& tuning);
 
 } // namespace pcl_msf

@@ -57,10 +57,10 @@ pick (const std::vector<Eigen::Vector3f>& points, const std::vector<int>& chosen
 }
 
 void
-requireEnough (std::size_t count, const char* name)
+requireEnough (std::size_t count, const std::string& name)
 {
   if (count < kFewest)
-    throw InvalidInput ("the " + std::string (name) + " has " + std::to_string (count) +
+    throw InvalidInput ("the " + name + " has " + std::to_string (count) +
                         " points that are finite, different and on a surface: give " +
                         std::to_string (kFewest) + " or more");
 }
@@ -85,7 +85,7 @@ WorkingCloud
 makeWorkingCloud (const std::vector<Eigen::Vector3f>& points,
                   const std::vector<int>& chosen,
                   const std::vector<int>& segments,
-                  const char* name,
+                  const std::string& name,
                   const Tuning& tuning,
                   int threads)
 {
@@ -116,6 +116,16 @@ makeWorkingCloud (const std::vector<Eigen::Vector3f>& points,
   return cloud;
 }
 
+std::vector<Eigen::Vector3f>
+scaledPoints (const PointClouds& clouds, const std::vector<Eigen::Vector3f>& points)
+{
+  std::vector<Eigen::Vector3f> scaled;
+  scaled.reserve (points.size());
+  for (const auto& p : points)
+    scaled.push_back (clouds.scaled (p));
+  return scaled;
+}
+
 } // namespace
 
 RigidPose
@@ -137,9 +147,10 @@ preparePointClouds (const std::vector<Eigen::Vector3f>& source,
                     const std::vector<Eigen::Vector3f>& target,
                     const Tuning& tuning,
                     int threads,
-                    const std::vector<int>& segments)
+                    const std::vector<int>& segments,
+                    const std::string& name)
 {
-  const char* const name = segments.empty() ? "source" : "segmented source";
+  const char* const own_name = segments.empty() ? "source" : "segmented source";
   PointClouds clouds;
   std::vector<int> finite = finitePoints (source);
   if (!segments.empty())
@@ -147,7 +158,7 @@ preparePointClouds (const std::vector<Eigen::Vector3f>& source,
                                   finite.end(),
                                   [&segments] (int i) { return segments[i] < 0; }),
                   finite.end());
-  requireEnough (finite.size(), name);
+  requireEnough (finite.size(), own_name);
   Eigen::Vector3d low = source[finite[0]].cast<double>();
   Eigen::Vector3d high = low;
   for (const int i : finite) {
@@ -159,18 +170,28 @@ preparePointClouds (const std::vector<Eigen::Vector3f>& source,
   if (!(clouds.size > 0.0))
     throw InvalidInput ("all points of the source are at one place: give a surface");
   requireFineSteps (low.cwiseAbs().cwiseMax (high.cwiseAbs()).maxCoeff(), clouds.size);
-  const auto scale = [&clouds] (const std::vector<Eigen::Vector3f>& points) {
-    std::vector<Eigen::Vector3f> scaled;
-    scaled.reserve (points.size());
-    for (const auto& p : points)
-      scaled.push_back (clouds.scaled (p));
-    return scaled;
-  };
-  clouds.source =
-      makeWorkingCloud (scale (source), finite, segments, name, tuning, threads);
+  clouds.source = makeWorkingCloud (
+      scaledPoints (clouds, source), finite, segments, own_name, tuning, threads);
   clouds.target = makeWorkingCloud (
-      scale (target), finitePoints (target), {}, "target", tuning, threads);
+      scaledPoints (clouds, target), finitePoints (target), {}, name, tuning, threads);
   return clouds;
+}
+
+PointClouds
+withTarget (const PointClouds& clouds,
+            const std::vector<Eigen::Vector3f>& target,
+            const std::string& name,
+            const Tuning& tuning,
+            int threads)
+{
+  PointClouds other;
+  other.source = clouds.source;
+  other.source.texture = other.source.thin_texture = {};
+  other.center = clouds.center;
+  other.size = clouds.size;
+  other.target = makeWorkingCloud (
+      scaledPoints (clouds, target), finitePoints (target), {}, name, tuning, threads);
+  return other;
 }
 
 } // namespace pcl_msf

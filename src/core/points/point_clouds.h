@@ -6,6 +6,7 @@
 #include "core/surface/surface_texture.h"
 #include <pcl_msf/rigid_pose.h>
 
+#include <string>
 #include <vector>
 
 namespace pcl_msf {
@@ -51,12 +52,24 @@ struct PointClouds {
  * surface, and at most as many as are of use.
  * \param segments given ones, per source point; -1 = it takes no part; empty = none are
  * given
+ * \param name of the target, in messages
  * \throws InvalidInput naming the remedy when too few remain */
 PointClouds
 preparePointClouds (const std::vector<Eigen::Vector3f>& source,
                     const std::vector<Eigen::Vector3f>& target,
                     const Tuning& tuning,
                     int threads,
-                    const std::vector<int>& segments = {});
+                    const std::vector<int>& segments = {},
+                    const std::string& name = "target");
+
+/** \brief The same source with another target.
+ * \param name of the target, in messages
+ * \throws InvalidInput naming the remedy when too few of its points remain */
+PointClouds
+withTarget (const PointClouds& clouds,
+            const std::vector<Eigen::Vector3f>& target,
+            const std::string& name,
+            const Tuning& tuning,
+            int threads);
 
 } // namespace pcl_msf

@@ -2,8 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/points/point_problem.h"
 
-#include "core/base/parallel_for.h"
-#include "core/energy/pose_coupling.h"
 #include "core/energy/sparse_cholesky.h"
 #include <ceres/solver.h>
 
@@ -12,88 +10,46 @@
 
 namespace pcl_msf {
 
-PointProblem::PointProblem (const PointSamples& samples,
-                            const PointSamples& known,
-                            const SurfaceSegments& segments,
-                            const PointEnergyWeights& weights,
-                            int threads,
-                            std::vector<RigidPose>& poses)
-: samples_ (samples)
-, known_ (known)
-, segments_ (segments)
-, weights_ (weights)
-, threads_ (threads)
-, poses_ (poses)
-, steps_ (segments.size())
-, scales_ (segments.links.size(), 1.0)
-, shares_ (segments.size())
-, blocks_ (segments.size())
+namespace {
+
+ceres::Problem::Options
+optionsWith (ceres::EvaluationCallback* callback)
 {
-  for (int i = 0; i < samples.size(); ++i)
-    for (const Membership& m : samples.members[i])
-      shares_[m.segment].push_back ({i, m.weight});
-  for (int i = 0; i < known.size(); ++i)
-    for (const Membership& m : known.members[i])
-      shares_[m.segment].push_back ({samples.size() + i, m.weight});
-  for (int k = 0; k < segments.size(); ++k)
-    motions_.emplace_back (poses_[k], segments.centroids[k]);
   ceres::Problem::Options options;
-  options.evaluation_callback = this;
+  options.evaluation_callback = callback;
   options.disable_all_safety_checks = true;
-  problem_ = std::make_unique<ceres::Problem> (options);
-  for (int k = 0; k < segments.size(); ++k)
-    problem_->AddResidualBlock (
-        new SegmentBlockCost (blocks_[k]), nullptr, steps_[k].data());
-  for (std::size_t i = 0; i < segments.links.size(); ++i) {
-    const SegmentLink& link = segments.links[i];
-    problem_->AddResidualBlock (new SeamCost (motions_, link, weights.unit, scales_[i]),
-                                nullptr,
-                                steps_[link.first].data(),
-                                steps_[link.second].data());
-  }
-  for (int k = 0; k < segments.size(); ++k)
-    if (segments.isFixed (k))
-      problem_->SetParameterBlockConstant (steps_[k].data());
+  return options;
+}
+
+} // namespace
+
+PointProblem::PointProblem() : problem_ (optionsWith (this)) {}
+
+void
+PointProblem::add (PointTerms& terms)
+{
+  terms_.push_back (&terms);
+  terms.addTo (problem_);
 }
 
 void
-PointProblem::fillSegment (int segment, bool with_jacobian)
+PointProblem::addChain (PointTerms& direct,
+                        PointTerms& first,
+                        PointTerms& second,
+                        const std::vector<BodyShape>& shapes,
+                        double weight)
 {
-  const double* step = steps_[segment].data();
-  const CenteredMotion motion = motions_[segment].after (step);
-  const double scale =
-      weights_.data / (samples_.size() * weights_.unit * weights_.unit);
-  Matrix6 information = Matrix6::Zero();
-  Vector6 gradient = Vector6::Zero();
-  double cost = 0.0;
-  for (const Share& share : shares_[segment]) {
-    const PointPull& pull = (*pulls_)[share.sample];
-    const Eigen::Vector3d x = motion * pointAt (share.sample).cast<double>();
-    const Eigen::Vector3d ax = pull.a * x;
-    const double w = scale * share.weight;
-    cost += w * (0.5 * x.dot (ax) - pull.b.dot (x) + pull.c);
-    if (!with_jacobian)
-      continue;
-    const Eigen::Vector3d g = ax - pull.b;
-    const Eigen::Matrix3d s = skew (x - motion.moved);
-    const Eigen::Matrix3d sa = w * s * pull.a; // of a point J = [-s I]
-    information.topLeftCorner<3, 3>() += sa * s.transpose();
-    information.topRightCorner<3, 3>() += sa;
-    information.bottomRightCorner<3, 3>() += w * pull.a;
-    gradient.head<3>() += w * (s * g);
-    gradient.tail<3>() += w * g;
-  }
-  if (!with_jacobian) {
-    blocks_[segment].setCost (std::max (0.0, cost));
-    return;
-  }
-  information.bottomLeftCorner<3, 3>() =
-      information.topRightCorner<3, 3>().transpose().eval();
-  Matrix6 change = Matrix6::Identity(); // from turns at the place to the parameters
-  change.topLeftCorner<3, 3>() = leftJacobian ({step[0], step[1], step[2]});
-  blocks_[segment].set (change.transpose() * information * change,
-                        change.transpose() * gradient,
-                        std::max (0.0, cost));
+  const double scale = std::sqrt (weight / std::max (1, direct.size())) / direct.unit();
+  for (int k = 0; k < direct.size(); ++k)
+    problem_.AddResidualBlock (new ChainCost (direct.motions()[k],
+                                              first.motions()[k],
+                                              second.motions()[k],
+                                              shapes[k],
+                                              scale),
+                               nullptr,
+                               direct.step (k),
+                               first.step (k),
+                               second.step (k));
 }
 
 void
@@ -103,41 +59,18 @@ PointProblem::PrepareForEvaluation (bool evaluate_jacobians, bool)
   // that place is there already.
   if (evaluate_jacobians && derivatives_-- <= 0)
     return;
-  parallelFor (threads_, segments_.size(), 4, [&] (int k) {
-    fillSegment (k, evaluate_jacobians);
-  });
-}
-
-void
-PointProblem::relaxWeights()
-{
-  const double links = std::max<double> (1.0, segments_.links.size());
-  const double gamma = weights_.regularizer;
-  const double eta = gamma * weights_.width * weights_.width;
-  for (std::size_t i = 0; i < scales_.size(); ++i) {
-    const SegmentLink& link = segments_.links[i];
-    scales_[i] = std::sqrt (gamma / links);
-    if (!(weights_.width > 0.0))
-      continue;
-    const double w = optimalWeight (
-        seamDifference (
-            motions_[link.first], motions_[link.second], link, weights_.unit)
-            .squaredNorm(),
-        gamma,
-        eta);
-    scales_[i] *= w * w;
-  }
+  for (PointTerms* terms : terms_)
+    terms->fill (evaluate_jacobians);
 }
 
 double
-PointProblem::step (const std::vector<PointPull>& pulls, int iterations)
+PointProblem::step (int iterations)
 {
-  pulls_ = &pulls;
-  for (std::array<double, 6>& step : steps_)
-    step.fill (0.0);
-  relaxWeights();
   ceres::Solver::Options options;
-  useSparseCholesky (options);
+  if (terms_.size() == 1)
+    useSparseCholesky (options);
+  else
+    options.linear_solver_type = ceres::CGNR; // chains would fill the factor
   options.max_num_iterations = iterations;
   options.function_tolerance = 1e-3;
   options.gradient_tolerance = 0.0;
@@ -147,11 +80,9 @@ PointProblem::step (const std::vector<PointPull>& pulls, int iterations)
   options.num_threads = 1; // the sweep is parallel; the rest is small
   derivatives_ = iterations;
   ceres::Solver::Summary summary;
-  ceres::Solve (options, problem_.get(), &summary);
-  for (int k = 0; k < segments_.size(); ++k) {
-    motions_[k] = motions_[k].after (steps_[k].data());
-    poses_[k] = motions_[k].pose();
-  }
+  ceres::Solve (options, &problem_, &summary);
+  for (PointTerms* terms : terms_)
+    terms->finish();
   return summary.final_cost;
 }
 

@@ -170,29 +170,43 @@ carryAll (const PointClouds& clouds,
       ++flow.parts[p].points;
 }
 
-} // namespace
-
 CloudFlow
-makeCloudFlow (const PointClouds& clouds,
-               const PriorKnowledge& prior,
+makeCloudFlow (const PointFrame& frame,
+               const RigidParts& parts,
                const GivenSegments& given,
-               PointSolve& solve,
                const std::vector<Eigen::Vector3f>& source,
-               bool merge,
                const PointTuning& tuning,
                int threads)
 {
   CloudFlow flow;
-  const RigidParts parts = findParts (clouds, prior, solve, merge, tuning, threads);
+  const PointClouds& clouds = frame.clouds;
   addParts (clouds, parts, flow);
   addJoints (clouds, parts, tuning.result.joint_share, flow);
   if (!given.labels.empty())
-    tellSegments (clouds, given, source, solve.segments(), parts, flow);
+    tellSegments (clouds, given, source, frame.solve->segments(), parts, flow);
   const MovedPoints moved{parts.points, parts.normals, {}};
   const std::vector<float> confidence =
-      judge (clouds, solve, moved, tuning.result, threads, flow);
+      judge (clouds, *frame.solve, moved, tuning.result, threads, flow);
   carryAll (clouds, given, parts, source, confidence, threads, flow);
   return flow;
+}
+
+} // namespace
+
+std::vector<CloudFlow>
+makeCloudFlows (const std::vector<PointFrame>& frames,
+                const GivenSegments& given,
+                const std::vector<Eigen::Vector3f>& source,
+                bool merge,
+                const PointTuning& tuning,
+                int threads)
+{
+  const std::vector<RigidParts> parts = findParts (frames, merge, tuning, threads);
+  std::vector<CloudFlow> flows;
+  for (std::size_t f = 0; f < frames.size(); ++f)
+    flows.push_back (
+        makeCloudFlow (frames[f], parts[f], given, source, tuning, threads));
+  return flows;
 }
 
 void

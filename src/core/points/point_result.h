@@ -2,23 +2,23 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "core/points/point_solve.h"
+#include "core/points/given_segments.h"
+#include "core/points/point_frame.h"
 #include <pcl_msf/cloud_flow.h>
 
 #include <vector>
 
 namespace pcl_msf {
 
-/** \brief The result of a solve: parts, joints, and all points of the source moved. */
-CloudFlow
-makeCloudFlow (const PointClouds& clouds,
-               const PriorKnowledge& prior,
-               const GivenSegments& given,
-               PointSolve& solve,
-               const std::vector<Eigen::Vector3f>& source,
-               bool merge,
-               const PointTuning& tuning,
-               int threads);
+/** \brief The results of solves, per frame: parts, which are the same in all, joints,
+ * and all points of the source moved. */
+std::vector<CloudFlow>
+makeCloudFlows (const std::vector<PointFrame>& frames,
+                const GivenSegments& given,
+                const std::vector<Eigen::Vector3f>& source,
+                bool merge,
+                const PointTuning& tuning,
+                int threads);
 
 /** \brief Fills in the report: how it ended, and whether the clouds were found on each
  * other.

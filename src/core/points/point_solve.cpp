@@ -49,6 +49,14 @@ PointSolve::PointSolve (const PointClouds& clouds,
   enter (0);
 }
 
+void
+PointSolve::beginAt (const std::vector<RigidPose>& poses)
+{
+  poses_ = poses;
+  cut_ = static_cast<int> (cuts_.size()) - 1;
+  enter (0);
+}
+
 /** Segments of the new cut begin as those that their seeds lie in. */
 void
 PointSolve::enter (int cut)
@@ -90,7 +98,9 @@ PointSolve::match (const PointStage& stage,
   PointEnergyWeights weights;
   weights.regularizer = stage.regularizer;
   weights.unit = segments().radius;
-  PointProblem problem (samples_, known_, segments(), weights, threads_, poses_);
+  PointTerms terms (samples_, known_, segments(), weights, threads_, poses_);
+  PointProblem problem;
+  problem.add (terms);
   for (int i = 0; i < stage.steps && !progress_.stopped(); ++i) {
     const double f = i / std::max (1.0, stage.steps - 1.0);
     const MatchRules rules = rulesOf (stage.from * std::pow (stage.to / stage.from, f));
@@ -99,12 +109,24 @@ PointSolve::match (const PointStage& stage,
     prior_.weigh (clouds_.source.samples, pulls);
     addPairs (moved, pairs, tuning_.limbs.to, tuning_.limbs.hold * (1.0 - f), pulls);
     addKnown (rules.distance / tuning_.stages[0].from, pulls);
-    const double cost = problem.step (pulls, tuning_.match.iterations);
+    terms.take (pulls);
+    const double cost = problem.step (tuning_.match.iterations);
     progress_.note (static_cast<int> (cuts_.size()) - 1 - cut_, cost, "match");
   }
 }
 
-/** \param distance scale of the robust weight */
+std::vector<PointPull>
+PointSolve::finePulls (double distance)
+{
+  takeBrightness (fine_);
+  const MatchRules rules = rulesOf (distance);
+  std::vector<PointPull> pulls =
+      fine_.pulls (movePoints (samples_, poses_, threads_), rules, threads_);
+  prior_.weigh (clouds_.source.samples, pulls);
+  addKnown (distance / tuning_.stages[0].from, pulls);
+  return pulls;
+}
+
 MatchRules
 PointSolve::rulesOf (double distance) const
 {
@@ -179,7 +201,6 @@ PointSolve::addKnown (double share, std::vector<PointPull>& pulls) const
     pulls.push_back (known.pull (unit));
 }
 
-/** What is found of both clouds, less the known pairs that are missed. */
 double
 PointSolve::explained()
 {

@@ -33,8 +33,33 @@ public:
               int threads,
               SolveProgress& progress);
 
+  /** \brief Begins at the motions that another solve found for the same source, those
+   * of its last segments: these lead to places that are near where it ended. */
+  void
+  beginAt (const std::vector<RigidPose>& poses);
+
   void
   run ();
+
+  /** \brief Has it led all of one cloud to the other, but for what is cut off, and no
+   * limb to where it should not be? */
+  bool
+  found ()
+  {
+    return allCovered();
+  }
+  /** \brief What is found of both clouds, less the known pairs that are missed. */
+  double
+  explained ();
+
+  /** \brief What pulls at the samples and then at the known points where they are now,
+   * by all of the target's points. \param distance scale of the robust weight */
+  std::vector<PointPull>
+  finePulls (double distance);
+
+  /** \brief How its matches are found. \param distance scale of the robust weight */
+  MatchRules
+  rulesOf (double distance) const;
 
   /** \brief Of all working points once it has run. */
   const SurfaceSegments&
@@ -47,10 +72,27 @@ public:
   {
     return poses_;
   }
+  std::vector<RigidPose>&
+  poses ()
+  {
+    return poses_;
+  }
+  /** \brief The points of known pairs. */
+  const PointSamples&
+  known () const
+  {
+    return known_;
+  }
   const PointSamples&
   samples () const
   {
     return samples_;
+  }
+  /** \brief Of the samples. */
+  const std::vector<int>&
+  sampleLabels () const
+  {
+    return cuts_[cut_].label;
   }
   /** \brief Is brightness as the motion says, or is there none? */
   bool
@@ -71,8 +113,6 @@ private:
          const std::vector<PointPair>& pairs = {});
   void
   takeBrightness (const MatchTarget& target);
-  MatchRules
-  rulesOf (double distance) const;
   MatchRules
   tightRules () const;
   std::vector<PointPair>
@@ -103,8 +143,6 @@ private:
   tryAgain (const std::vector<PointPair>& pairs);
   void
   seekLimbs ();
-  double
-  explained ();
 
   const PointClouds& clouds_;
   const PriorKnowledge& prior_;

@@ -63,7 +63,9 @@ PointSolve::followPairs (const std::vector<PointPair>& pairs)
   PointEnergyWeights weights;
   weights.regularizer = limbs.regularizer;
   weights.unit = segments().radius;
-  PointProblem problem (samples_, known_, segments(), weights, threads_, poses_);
+  PointTerms terms (samples_, known_, segments(), weights, threads_, poses_);
+  PointProblem problem;
+  problem.add (terms);
   for (int i = 0; i < limbs.steps && !progress_.stopped(); ++i) {
     const MovedPoints moved = movePoints (samples_, poses_, threads_);
     const double scale =
@@ -71,8 +73,9 @@ PointSolve::followPairs (const std::vector<PointPair>& pairs)
     std::vector<PointPull> pulls (samples_.size());
     addPairs (moved, pairs, scale, 1.0, pulls);
     addKnown (1.0, pulls);
+    terms.take (pulls);
     progress_.note (static_cast<int> (cuts_.size()) - 1 - cut_,
-                    problem.step (pulls, tuning_.match.iterations),
+                    problem.step (tuning_.match.iterations),
                     "limbs");
   }
 }
@@ -109,8 +112,7 @@ PointSolve::conflicting (const std::vector<PointPair>& pairs) const
   return all > 0.0 ? elsewhere / all : 0.0;
 }
 
-/** Is all of one cloud on the other, but for what is cut off, and no limb where it
- * should not be? */
+/** See found. */
 bool
 PointSolve::allCovered()
 {

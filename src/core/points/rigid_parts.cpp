@@ -2,13 +2,9 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/points/rigid_parts.h"
 
-#include "core/base/parallel_for.h"
-#include "core/points/part_borders.h"
-#include "core/points/part_seams.h"
-#include "core/points/residual_scale.h"
+#include "core/points/part_view.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -19,41 +15,30 @@ namespace {
 
 class PartFinder {
 public:
-  PartFinder (const PointClouds& clouds,
-              const PriorKnowledge& prior,
-              PointSolve& solve,
+  PartFinder (const std::vector<PointFrame>& frames,
               const PointTuning& tuning,
               int threads)
-  : source_ (clouds.source.surface)
-  , prior_ (prior)
-  , segments_ (solve.segments())
-  , target_ (solve.fineTarget())
-  , spacing_ (clouds.target.surface.median_spacing)
+  : source_ (frames[0].clouds.source.surface)
+  , segments_ (frames[0].solve->segments())
   , tuning_ (tuning.parts)
-  , brightness_ (tuning.brightness)
   , threads_ (threads)
-  , poses_ (solve.poses())
-  , all_{
-        source_.points, source_.normals, segments_.members, clouds.source.texture.value}
-  {}
+  {
+    views_.reserve (frames.size());
+    for (const PointFrame& frame : frames)
+      views_.emplace_back (frame, tuning, threads);
+    labels_.part_of.resize (segments_.size());
+    std::iota (labels_.part_of.begin(), labels_.part_of.end(), 0);
+    for (PartView& view : views_)
+      view.takeSegments();
+  }
 
-  RigidParts
+  std::vector<RigidParts>
   run (bool merge)
   {
-    part_of_.resize (segments_.size());
-    std::iota (part_of_.begin(), part_of_.end(), 0);
-    MovedPoints moved = movePoints (all_, poses_, threads_);
-    std::vector<PointPull> pulls =
-        target_.pulls (moved, fineRules (tuning_.reach * spacing_, tuning_), threads_);
-    variance_ = std::pow (std::max (deviationOf (moved, pulls, tuning_.least_weight),
-                                    tuning_.floor * spacing_),
-                          2);
-    if (!all_.brightness.empty())
-      pulls = target_.pulls (moved, rules (tuning_.reach * spacing_), threads_);
+    labels_.part = segments_.label;
     if (merge || segments_.given) {
-      part_poses_ = poses_;
       if (merge)
-        mergeSegments (pulls);
+        mergeSegments();
       chooseBodies();
       drawBorders();
       for (int round = 0; round < tuning_.polish; ++round)
@@ -66,65 +51,49 @@ public:
 
 private:
   void
-  mergeSegments (const std::vector<PointPull>& pulls)
+  mergeSegments ()
   {
     std::vector<SegmentLink> links;
     for (const SegmentLink& link : segments_.links)
       if (!segments_.isFixed (link.first) && !segments_.isFixed (link.second))
         links.push_back (link);
-    const MergedParts merged = mergeParts (
-        momentsOf (segments_.label, pulls), poses_, links, variance_, tuning_);
-    part_of_ = merged.part_of;
-    part_poses_ = merged.poses;
-    for (int k = 0; k < segments_.size(); ++k)
-      if (segments_.isFixed (k))
-        part_poses_[part_of_[k]] = poses_[k];
+    std::vector<MergeView> views;
+    for (const PartView& view : views_)
+      views.push_back (view.mergeView());
+    MergedParts merged = mergeParts (views, links, tuning_);
+    labels_.part_of = merged.part_of;
+    for (std::size_t v = 0; v < views_.size(); ++v) {
+      views_[v].take (std::move (merged.poses[v]));
+      for (int k = 0; k < segments_.size(); ++k)
+        if (segments_.isFixed (k))
+          views_[v].setPartPose (labels_.part_of[k], views_[v].segmentPose (k));
+    }
   }
-  /** By shape and brightness, each as precise as it is. */
-  MatchRules
-  rules (double distance) const
+  int
+  parts () const
   {
-    MatchRules rules = fineRules (distance, tuning_);
-    rules.brightness = std::sqrt (variance_);
-    rules.brightness_weight = brightness_.part_weight;
-    rules.outlying = brightness_.outlying;
-    return rules;
-  }
-  /** Of matches and known pairs, per label of the points. A pair of weight 1 is known
-   * to about a spacing. */
-  std::vector<RigidMoments>
-  momentsOf (const std::vector<int>& label, std::vector<PointPull> pulls) const
-  {
-    prior_.weigh ({}, pulls);
-    std::vector<RigidMoments> moments (part_poses_.size());
-    for (int i = 0; i < source_.size(); ++i)
-      moments[label[i]].add (source_.points[i].cast<double>(), pulls[i], 1.0);
-    const double unit = variance_ / (spacing_ * spacing_);
-    for (const KnownPoint& known : prior_.points)
-      moments[label[known.place]].add (
-          known.point.cast<double>(), known.pull (unit), 1.0);
-    return moments;
+    return 1 + *std::max_element (labels_.part_of.begin(), labels_.part_of.end());
   }
   /** Which parts are rigid bodies, and which of these are fitted on their own: small
    * ones keep what their neighbours told them. */
   void
   chooseBodies ()
   {
-    std::vector<int> sizes (part_poses_.size(), 0);
+    count_ = parts();
+    std::vector<int> sizes (count_, 0);
     for (const int label : segments_.label)
-      ++sizes[part_of_[label]];
-    free_.assign (sizes.size(), 0);
-    for (std::size_t p = 0; p < sizes.size(); ++p)
-      free_[p] = sizes[p] >= tuning_.rigid_share * source_.size();
-    rigid_ = free_;
+      ++sizes[labels_.part_of[label]];
+    labels_.free.assign (count_, 0);
+    for (int p = 0; p < count_; ++p)
+      labels_.free[p] = sizes[p] >= tuning_.rigid_share * source_.size();
+    labels_.rigid = labels_.free;
     if (segments_.given)
-      rigid_.assign (sizes.size(), 1);
+      labels_.rigid.assign (count_, 1);
     for (int k = 0; k < segments_.size(); ++k)
       if (segments_.isFixed (k))
-        free_[part_of_[k]] = 0;
-    for (int k = 0; k < segments_.size(); ++k)
-      if (rigid_[part_of_[k]])
-        poses_[k] = part_poses_[part_of_[k]];
+        labels_.free[labels_.part_of[k]] = 0;
+    for (PartView& view : views_)
+      view.followParts (labels_);
   }
   /** Points between parts go with the one whose motion fits them best; given segments
    * stay whole. */
@@ -132,208 +101,193 @@ private:
   drawBorders ()
   {
     if (segments_.given)
-      for (const int label : segments_.label)
-        part_.push_back (part_of_[label]);
-    else
-      part_ = borders().draw (
-          target_, rules (tuning_.reach * spacing_), spacing_, tuning_, threads_);
-    for (const KnownPoint& known : prior_.points) {
-      const int own = part_of_[segments_.label[known.place]];
-      int& drawn = part_[known.place];
-      if (rigid_[own] && rigid_[drawn] &&
-          pairCost (known, own) < pairCost (known, drawn))
-        drawn = own;
+      for (int& part : labels_.part)
+        part = labels_.part_of[part];
+    else {
+      std::vector<BorderView> views;
+      for (PartView& view : views_)
+        views.push_back (view.borderView());
+      labels_.part = borders().draw (views, tuning_, threads_);
     }
+    for (PartView& view : views_)
+      for (const KnownPoint& known : view.known()) {
+        const int own = labels_.part_of[segments_.label[known.place]];
+        int& drawn = labels_.part[known.place];
+        if (labels_.rigid[own] && labels_.rigid[drawn] &&
+            view.pairCost (known, own) < view.pairCost (known, drawn))
+          drawn = own;
+      }
     for (int i = 0; i < source_.size(); ++i)
-      if (rigid_[part_[i]])
-        all_.members[i] = borders().oneOf (part_[i]);
+      if (labels_.rigid[labels_.part[i]])
+        follow (i, borders().oneOf (labels_.part[i]));
   }
   PartBorders
   borders () const
   {
-    return {source_, segments_, part_of_, rigid_, poses_, all_.brightness};
+    return {source_, segments_, labels_.part_of, labels_.rigid};
+  }
+  void
+  follow (int point, const std::vector<Membership>& members)
+  {
+    for (PartView& view : views_)
+      view.follow (point, members);
   }
   void
   polish ()
   {
-    const MovedPoints moved = movePoints (all_, poses_, threads_);
-    MatchRules own = rules (spacing_);
-    own.plane = tuning_.outlying * std::sqrt (variance_);
-    const std::vector<PointPull> pulls = target_.pulls (moved, own, threads_);
-    moments_ = momentsOf (part_, pulls);
-    holdSeams (seamsBetween (source_, part_), part_poses_, rigid_, tuning_, moments_);
-    for (std::size_t p = 0; p < part_poses_.size(); ++p)
-      if (free_[p])
-        part_poses_[p] = moments_[p].solve (part_poses_[p]);
-    for (int k = 0; k < segments_.size(); ++k)
-      if (rigid_[part_of_[k]])
-        poses_[k] = part_poses_[part_of_[k]];
-  }
-  /** Halved squared deviations of a known pair with a part's motion. */
-  double
-  pairCost (const KnownPoint& known, int part) const
-  {
-    const Eigen::Vector3d moved = part_poses_[part] * known.point.cast<double>();
-    return 0.5 * known.weight * (moved - known.target).squaredNorm() /
-           (spacing_ * spacing_);
+    const std::vector<SurfaceSeam> seams = seamsBetween (source_, labels_.part);
+    if (views_.size() == 1)
+      return views_[0].polish (labels_, seams);
+    for (PartView& view : views_)
+      view.polishWithCare (labels_, seams);
   }
   /** Do known pairs let a part go with another one? */
   bool
   pairsAllow (int part, int other) const
   {
     double cost = 0.0;
-    for (const KnownPoint& known : prior_.points)
-      if (part_[known.place] == part)
-        cost += pairCost (known, other) - pairCost (known, part);
+    for (const PartView& view : views_)
+      cost += view.pairLoss (labels_, part, other);
     return cost <= tuning_.allowance;
   }
   bool
   fixed (int part) const
   {
-    const auto k = std::find (part_of_.begin(), part_of_.end(), part);
-    return segments_.isFixed (static_cast<int> (k - part_of_.begin()));
+    const auto& part_of = labels_.part_of;
+    const auto k = std::find (part_of.begin(), part_of.end(), part);
+    return segments_.isFixed (static_cast<int> (k - part_of.begin()));
   }
   /** Pairs of parts that touch, the smaller one first. */
   std::set<std::pair<int, int>>
-  touchingParts (const std::vector<int>& sizes) const
+  touchingParts (const std::vector<std::vector<int>>& points) const
   {
     std::set<std::pair<int, int>> pairs;
-    for (const SurfaceSeam& seam : seamsBetween (source_, part_)) {
+    for (const SurfaceSeam& seam : seamsBetween (source_, labels_.part)) {
       int a = seam.first;
       int b = seam.second;
-      if (std::make_pair (sizes[b], b) < std::make_pair (sizes[a], a))
+      if (std::make_pair (points[b].size(), b) < std::make_pair (points[a].size(), a))
         std::swap (a, b);
-      if (rigid_[b] && !fixed (a) && !fixed (b) && pairsAllow (a, b))
+      if (labels_.rigid[b] && !fixed (a) && !fixed (b) && pairsAllow (a, b))
         pairs.insert ({a, b});
     }
     return pairs;
   }
-  /** Mean distance of points from the target, where they are or with another part. */
+  /** How far a part is from the targets, in all. \param members of its points in place
+   * of their own; empty = their own */
   double
-  distanceOf (const std::vector<int>& points, int other)
+  distanceOf (const std::vector<int>& points, const std::vector<Membership>& members)
   {
-    PointSamples some;
-    for (const int i : points) {
-      some.points.push_back (source_.points[i]);
-      some.normals.push_back (source_.normals[i]);
-      if (!all_.brightness.empty())
-        some.brightness.push_back (all_.brightness[i]);
-      some.members.push_back (other >= 0 ? borders().oneOf (other) : all_.members[i]);
-    }
     double sum = 0.0;
-    for (const float d : target_.distances (movePoints (some, poses_, threads_),
-                                            rules (tuning_.reach * spacing_),
-                                            tuning_.limit * spacing_,
-                                            threads_))
-      sum += d;
-    return sum / std::max<std::size_t> (1, points.size());
+    for (PartView& view : views_)
+      sum += view.distanceOf (points, members);
+    return sum;
   }
-  /** Parts that fit the target as well with a larger body's motion join that body.
+  /** How far it may be from them with another one's motion. */
+  double
+  boundOf (const std::vector<int>& points)
+  {
+    double bound = (1.0 + tuning_.worse_share) * distanceOf (points, {});
+    for (const PartView& view : views_)
+      bound += tuning_.worse * view.spacing();
+    return bound;
+  }
+  /** Parts that fit the targets as well with a larger body's motion join that body.
    * \return did any? */
   bool
   absorb ()
   {
-    std::vector<std::vector<int>> points (part_poses_.size());
+    std::vector<std::vector<int>> points (count_);
     for (int i = 0; i < source_.size(); ++i)
-      points[part_[i]].push_back (i);
-    std::vector<int> sizes;
-    for (const auto& list : points)
-      sizes.push_back (static_cast<int> (list.size()));
-    std::vector<int> into (points.size(), -1);
-    std::vector<double> best (points.size(), 0.0);
-    for (const auto& [a, b] : touchingParts (sizes)) {
+      points[labels_.part[i]].push_back (i);
+    std::vector<int> into (count_, -1);
+    std::vector<double> best (count_, 0.0);
+    for (const auto& [a, b] : touchingParts (points)) {
       if (into[a] < 0 && best[a] == 0.0)
-        best[a] = (1.0 + tuning_.worse_share) * distanceOf (points[a], -1) +
-                  tuning_.worse * spacing_;
-      const double distance = distanceOf (points[a], b);
+        best[a] = boundOf (points[a]);
+      const double distance = distanceOf (points[a], borders().oneOf (b));
       if (distance < best[a]) {
         best[a] = distance;
         into[a] = b;
       }
     }
     bool any = false;
-    for (std::size_t a = 0; a < points.size(); ++a) {
+    for (int a = 0; a < count_; ++a) {
       int b = into[a];
       while (b >= 0 && into[b] >= 0) // larger and larger
         b = into[b];
       if (b < 0)
         continue;
       any = true;
-      for (const int i : points[a]) {
-        part_[i] = b;
-        all_.members[i] = borders().oneOf (b);
-      }
-      for (int k = 0; k < segments_.size(); ++k)
-        if (part_of_[k] == static_cast<int> (a))
-          part_of_[k] = b;
+      join (a, b, points[a]);
     }
     return any;
   }
-  RigidParts
+  void
+  join (int part, int body, const std::vector<int>& points)
+  {
+    for (PartView& view : views_)
+      view.forgetDistances();
+    for (const int i : points) {
+      labels_.part[i] = body;
+      follow (i, borders().oneOf (body));
+    }
+    for (int& of : labels_.part_of)
+      if (of == part)
+        of = body;
+  }
+  std::vector<RigidParts>
   result ()
   {
-    if (part_.empty()) {
-      part_ = segments_.label;
-      part_poses_ = poses_;
-      moments_.assign (poses_.size(), {});
-    }
-    RigidParts parts;
-    std::vector<int> sizes (part_poses_.size(), 0);
-    for (const int p : part_)
+    std::vector<int> sizes (count_ > 0 ? count_ : segments_.size(), 0);
+    for (const int p : labels_.part)
       ++sizes[p];
     std::vector<int> order (sizes.size());
     std::iota (order.begin(), order.end(), 0);
     std::stable_sort (order.begin(), order.end(), [&sizes] (int a, int b) {
       return sizes[a] > sizes[b];
     });
-    std::vector<int> rank (order.size(), -1);
-    for (const int p : order)
-      if (sizes[p] > 0) {
-        rank[p] = static_cast<int> (parts.poses.size());
+    while (!order.empty() && sizes[order.back()] == 0)
+      order.pop_back();
+    std::vector<int> rank (sizes.size(), -1);
+    for (std::size_t r = 0; r < order.size(); ++r)
+      rank[order[r]] = static_cast<int> (r);
+    std::vector<RigidParts> results;
+    for (const PartView& view : views_) {
+      RigidParts parts;
+      for (const int p : order) {
         Matrix6 information;
-        moments_[p].solve (part_poses_[p], &information);
-        parts.poses.push_back (part_poses_[p]);
-        parts.information.push_back (information / variance_);
+        parts.poses.push_back (view.poseOf (p, information));
+        parts.information.push_back (information);
         parts.sizes.push_back (sizes[p]);
       }
-    for (const int p : part_)
-      parts.part.push_back (rank[p]);
-    MovedPoints moved = movePoints (all_, poses_, threads_);
-    parts.points = std::move (moved.points);
-    parts.normals = std::move (moved.normals);
-    return parts;
+      for (const int p : labels_.part)
+        parts.part.push_back (rank[p]);
+      MovedPoints moved = view.moved();
+      parts.points = std::move (moved.points);
+      parts.normals = std::move (moved.normals);
+      results.push_back (std::move (parts));
+    }
+    return results;
   }
 
   const Surface& source_;
-  const PriorKnowledge& prior_;
   const SurfaceSegments& segments_;
-  MatchTarget& target_;
-  double spacing_;
   const PointPartTuning& tuning_;
-  const PointBrightnessTuning& brightness_;
   int threads_;
-  std::vector<RigidPose> poses_; ///< per segment
-  PointSamples all_;             ///< the working points
-  double variance_{1.0};
-  std::vector<int> part_of_;          ///< per segment
-  std::vector<RigidPose> part_poses_; ///< per part
-  std::vector<RigidMoments> moments_; ///< per part
-  std::vector<char> rigid_;           ///< per part
-  std::vector<char> free_;            ///< per part: fitted on its own
-  std::vector<int> part_;             ///< per working point
+  std::vector<PartView> views_; ///< per target
+  PartLabels labels_;
+  int count_{0}; ///< parts, with those that have joined others
 };
 
 } // namespace
 
-RigidParts
-findParts (const PointClouds& clouds,
-           const PriorKnowledge& prior,
-           PointSolve& solve,
+std::vector<RigidParts>
+findParts (const std::vector<PointFrame>& frames,
            bool merge,
            const PointTuning& tuning,
            int threads)
 {
-  return PartFinder (clouds, prior, solve, tuning, threads).run (merge);
+  return PartFinder (frames, tuning, threads).run (merge);
 }
 
 } // namespace pcl_msf

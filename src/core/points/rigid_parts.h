@@ -2,8 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
-#include "core/points/part_merging.h"
-#include "core/points/point_solve.h"
+#include "core/points/point_frame.h"
 
 #include <vector>
 
@@ -19,14 +18,15 @@ struct RigidParts {
   std::vector<Eigen::Vector3f> normals; ///< there
 };
 
-/** \brief Merges segments that move as one. A part that is large enough for a body of
- * its own moves rigidly up to its border, its motion fitted to all of its points; on
- * the rest of the surface motions blend. Given segments are rigid and stay whole.
- * \param merge false: every segment is a part */
-RigidParts
-findParts (const PointClouds& clouds,
-           const PriorKnowledge& prior,
-           PointSolve& solve,
+/** \brief Merges segments that move as one in all targets. A part that is large enough
+ * for a body of its own moves rigidly up to its border, its motion fitted to all of its
+ * points; on the rest of the surface motions blend. Given segments are rigid and stay
+ * whole.
+ * \param frames one or more, of the same source
+ * \param merge false: every segment is a part
+ * \return per frame: the same parts, in their order */
+std::vector<RigidParts>
+findParts (const std::vector<PointFrame>& frames,
            bool merge,
            const PointTuning& tuning,
            int threads);

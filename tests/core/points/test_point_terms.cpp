@@ -154,21 +154,47 @@ TEST (RigidMoments, AreNotLostWhereFewPullsLeaveTurnsFree)
   }
 }
 
+/** Four segments of a bent sheet, the last two of which move otherwise. */
+MergeView
+bentView (const RigidPose& front, const RigidPose& back, double variance)
+{
+  MergeView view;
+  view.poses = {front, front, back, back};
+  view.variance = variance;
+  for (int k = 0; k < 4; ++k)
+    view.moments.push_back (momentsOf (view.poses[k], 0.2 * k));
+  return view;
+}
+
+const std::vector<SegmentLink> kRow{{0, 1, Eigen::Vector3d::Zero(), 0.1},
+                                    {1, 2, Eigen::Vector3d::Zero(), 0.1},
+                                    {2, 3, Eigen::Vector3d::Zero(), 0.1}};
+
 TEST (PartMerging, JoinsWhatMovesAsOneAndNoMore)
 {
   RigidPose other = kPose;
   other.parameters[1] += 0.1;
-  const std::vector<RigidPose> poses{kPose, kPose, other, other};
-  std::vector<RigidMoments> moments;
-  std::vector<SegmentLink> links;
-  for (int k = 0; k < 4; ++k) {
-    moments.push_back (momentsOf (poses[k], 0.2 * k));
-    if (k > 0)
-      links.push_back ({k - 1, k, Eigen::Vector3d::Zero(), 0.1});
-  }
-  const MergedParts parts = mergeParts (moments, poses, links, 1e-6, {});
+  const MergedParts parts = mergeParts ({bentView (kPose, other, 1e-6)}, kRow, {});
   EXPECT_EQ (parts.part_of, (std::vector<int>{0, 0, 1, 1}));
-  EXPECT_EQ (mergeParts (moments, poses, links, 1.0, {}).poses.size(), 1u);
+  EXPECT_THAT (parts.poses[0][1], test::isNear (other, 1e-6, 1e-6));
+  const MergedParts one = mergeParts ({bentView (kPose, other, 1.0)}, kRow, {});
+  EXPECT_EQ (one.poses[0].size(), 1u);
+}
+
+TEST (PartMerging, PartsMoveAsOneInEveryTarget)
+{
+  RigidPose other = kPose;
+  other.parameters[1] += 0.1;
+  const MergeView still = bentView (kPose, kPose, 1e-6);
+  const MergeView bent = bentView (kPose, other, 1e-6);
+  EXPECT_EQ (mergeParts ({still, still}, kRow, {}).poses[1].size(), 1u);
+  for (const auto& views : {std::vector<MergeView>{still, bent},
+                            std::vector<MergeView>{bent, still, still}}) {
+    const MergedParts parts = mergeParts (views, kRow, {});
+    EXPECT_EQ (parts.part_of, (std::vector<int>{0, 0, 1, 1}));
+    EXPECT_THAT (parts.poses[views.size() == 2 ? 0 : 1][1],
+                 test::isNear (kPose, 1e-6, 1e-6));
+  }
 }
 
 TEST (PartSeams, HoldABodyAlongTheDirectionThatItsSidesLeaveFree)

@@ -66,6 +66,16 @@ limbValues (LimbTuning& limbs)
 }
 
 TunedValues
+windowValues (PointWindowTuning& window)
+{
+  return {{"points.window.from", &window.from, 1e-6, 10},
+          {"points.window.to", &window.to, 1e-6, 10},
+          {"points.window.steps", &window.steps, 0, 1000},
+          {"points.window.near", &window.near, 1e-6, 10},
+          {"points.window.regularizer", &window.regularizer, 0, 100}};
+}
+
+TunedValues
 partValues (PointTuning& tuning)
 {
   PointPartTuning& parts = tuning.parts;
@@ -103,8 +113,10 @@ partValues (PointTuning& tuning)
 void
 listValues (PointTuning& tuning, TunedValues& values)
 {
-  for (const TunedValues& own :
-       {matchingValues (tuning), limbValues (tuning.limbs), partValues (tuning)})
+  for (const TunedValues& own : {matchingValues (tuning),
+                                 limbValues (tuning.limbs),
+                                 windowValues (tuning.window),
+                                 partValues (tuning)})
     values.insert (values.end(), own.begin(), own.end());
   for (std::size_t i = 0; i < tuning.stages.size(); ++i) {
     const std::string name = "points.stage_" + std::to_string (i) + ".";

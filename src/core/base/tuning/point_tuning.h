@@ -169,6 +169,17 @@ struct PointResultTuning {
                    ///< torn surfaces
 };
 
+/** \brief Several targets solved jointly. Lengths in sizes. */
+struct PointWindowTuning {
+  double from{0.01}; ///< scale of the matches' robust weight in the first step: more
+                     ///< lets wrong ones in
+  double to{0.005};  ///< and in the last one: more is smoother where surfaces differ
+  int steps{8};      ///< more is slower
+  double near{0.02}; ///< points of a target that go with the moved source: more takes
+                     ///< what is not of it
+  double regularizer{0.002}; ///< gamma between targets: more keeps joints from bending
+};
+
 /** \brief The solve on points. */
 struct PointTuning {
   PointCloudTuning clouds;
@@ -180,6 +191,7 @@ struct PointTuning {
                                     {400, 0.02, 0.03, 0.005, 15}}};
   IsometryTuning isometry;
   LimbTuning limbs;
+  PointWindowTuning window;
   PointPartTuning parts;
   PointResultTuning result;
 };

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <gtest/gtest.h>
+
+#include <pcl_msf/cloud_flow_estimator.h>
+#include <pcl_msf/synthetic/body_clouds.h>
+
+#include <cmath>
+#include <vector>
+
+/* Windows of bodies that move on, against each frame registered directly. */
+namespace {
+
+using namespace pcl_msf;
+using synthetic::BodyClouds;
+using synthetic::BodyKind;
+
+double
+meanError (const CloudFlow& flow, const std::vector<Eigen::Vector3f>& truth)
+{
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t i = 0; i < truth.size(); ++i)
+    if (flow.warped[i].allFinite() && truth[i].allFinite()) {
+      sum += (flow.warped[i] - truth[i]).norm();
+      ++count;
+    }
+  return sum / count;
+}
+
+/** Mean errors over seeds, metres. */
+struct Errors {
+  double direct{0.0}; ///< all frames
+  double window{0.0};
+  double direct_last{0.0};
+  double window_last{0.0};
+};
+
+constexpr int kSeeds = 5;
+
+Errors
+errorsOf (BodyKind body, double angle, int targets)
+{
+  SolverParameters solver;
+  solver.threads = 2;
+  const CloudFlowEstimator estimator (solver);
+  Errors errors;
+  for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+    synthetic::BodyOptions options;
+    options.body = body;
+    options.angle = angle;
+    options.noise = 0.001;
+    options.points = 3000;
+    options.seed = seed;
+    const std::vector<BodyClouds> sequence =
+        synthetic::synthesizeBodySequence (options, targets);
+    std::vector<CloudFrame> frames{{sequence[0].source, {}}};
+    for (const BodyClouds& clouds : sequence)
+      frames.push_back ({clouds.target, {}});
+    const std::vector<CloudFlow> flows = estimator.estimateWindow (frames);
+    for (int t = 0; t < targets; ++t) {
+      const BodyClouds& clouds = sequence[t];
+      const double direct =
+          meanError (estimator.estimate (clouds.source, clouds.target), clouds.truth);
+      const double window = meanError (flows[t + 1], clouds.truth);
+      errors.direct += direct / (targets * kSeeds);
+      errors.window += window / (targets * kSeeds);
+      errors.direct_last += t + 1 == targets ? direct / kSeeds : 0.0;
+      errors.window_last += t + 1 == targets ? window / kSeeds : 0.0;
+    }
+  }
+  return errors;
+}
+
+TEST (CloudWindowBodies, AChainIsNoWorseThanByPairs)
+{
+  const Errors errors = errorsOf (BodyKind::Chain, 12.0, 2);
+  EXPECT_LT (errors.window, errors.direct);
+}
+
+TEST (CloudWindowBodies, AHandIsNoWorseThanByPairs)
+{
+  const Errors errors = errorsOf (BodyKind::Hand, 12.0, 3);
+  EXPECT_LT (errors.window, errors.direct);
+}
+
+TEST (CloudWindowBodies, AFarFrameIsReachedBySmallSteps)
+{
+  const Errors errors = errorsOf (BodyKind::Chain, 25.0, 3);
+  EXPECT_LT (errors.window, errors.direct);
+  EXPECT_LT (errors.window_last, 0.8 * errors.direct_last);
+}
+
+} // namespace
