@@ -148,6 +148,7 @@ SceneFlowTracker::follow (Window window)
   const auto run = [&] (bool predicted) {
     solve = std::make_unique<WindowSolve> (
         frames, 0, window.segments, energy_, solver_, multiframe_, currentTuning());
+    solve->keepSegmentsApart();
     if (predicted)
       solve->follow (anew ? predictAnew (window.segments) : predictMotion());
     result = solve->run (anew ? RigidPose{} : sceneFlow().dominant_motion);

@@ -33,7 +33,7 @@ WindowSolve::pairSchedule (int finest_level) const
         user_.merge_bodies && 0 < level && level < coarsest;
     if (level == 0 && coarsest > 0)
       round.iterations = std::min (few, tuning.finest_iterations);
-    round.together = level == tuning.coarsest_level;
+    round.together = level == tuning.coarsest_level && !apart_;
     rounds.push_back (round);
     if (level == tuning.coarsest_level)
       addSpreads (rounds);
@@ -79,7 +79,8 @@ WindowSolve::addSpreads (std::vector<Round>& rounds) const
     again.end += share;
     again.anew = false;
     again.spread = true;
-    again.together = i + 1 < spreads; // at last each for itself, as what bends needs
+    if (i + 1 == spreads)
+      again.together = false; // each for itself, as what bends needs
     again.iterations = static_cast<int> (
         std::ceil (scene_.tuning.solve.spread_share * user_.max_iterations));
     again.measure = i + 1 == spreads;

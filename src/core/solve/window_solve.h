@@ -63,7 +63,15 @@ public:
     followed_ = std::make_unique<FollowedMotion> (std::move (motion));
   }
 
-  /** \brief Did run () begin so? */
+  /** \brief Has each segment solved for by itself at the coarsest level, too, whatever
+   * pose it starts at: slower, but first bodies, which a tracker keeps, are surer. */
+  void
+  keepSegmentsApart ()
+  {
+    apart_ = true;
+  }
+
+  /** \brief Did run () begin as follow () says? */
   bool
   follows () const
   {
@@ -218,6 +226,7 @@ private:
   std::vector<RigidPose> given_start_;       ///< in place of a search; empty = search
   std::unique_ptr<FollowedMotion> followed_; ///< likewise
   bool follows_{false};
+  bool apart_{false};
   WindowState state_;
   std::vector<double> fit_;
   std::unique_ptr<WindowLevel> level_; ///< the present one

@@ -24,7 +24,7 @@ protected:
   Row()
   {
     for (int k = 0; k + 1 < 6; ++k)
-      links_.push_back ({k, k + 1, {}, 0.1, 1.0});
+      links_.push_back ({k, k + 1, Eigen::Vector3d::Zero(), 0.1, 1.0});
     state_ = WindowState (MotionState::fromSegments (
         {at (1), at (1), at (2), at (1), at (1), at (1)}, links_.size()));
   }
