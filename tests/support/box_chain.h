@@ -101,4 +101,16 @@ drawChain (
   return cloud;
 }
 
+/** \brief A chain of two boxes that bends, and moves, so many times by 0.1 radians. */
+inline BoxChain
+bent (double times)
+{
+  BoxChain chain;
+  chain.boxes = 2;
+  chain.angle = 0.1 * times;
+  for (double& p : chain.root.parameters)
+    p *= times;
+  return chain;
+}
+
 } // namespace pcl_msf::testing

@@ -30,16 +30,6 @@ protected:
     registration.setInputSource (source);
     registration.setNumberOfThreads (2);
   }
-  static BoxChain
-  bent (int times)
-  {
-    BoxChain chain;
-    chain.boxes = 2;
-    chain.angle = 0.1 * times;
-    for (double& p : chain.root.parameters)
-      p *= times;
-    return chain;
-  }
   void
   setTargets ()
   {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/box_chain.h"
+#include "support/cloud_flow_error.h"
 #include "support/pose_matcher.h"
 #include <gmock/gmock.h>
 #include <pcl_msf/cloud_flow_estimator.h>
@@ -39,19 +40,6 @@ truthOf (const BoxChain& chain, const ChainCloud& source)
     truth.push_back (
         (chain.pose (source.box[i]) * source.rest[i].cast<double>()).cast<float>());
   return truth;
-}
-
-double
-meanError (const CloudFlow& flow, const Points& truth)
-{
-  double sum = 0.0;
-  int count = 0;
-  for (std::size_t i = 0; i < truth.size(); ++i)
-    if (flow.warped[i].allFinite() && truth[i].allFinite()) {
-      sum += (flow.warped[i] - truth[i]).norm();
-      ++count;
-    }
-  return count > 0 ? sum / count : std::numeric_limits<double>::infinity();
 }
 
 /** Every so manieth point with truth and the target's point next to where it goes. */

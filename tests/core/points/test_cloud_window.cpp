@@ -29,18 +29,6 @@ solverWith (unsigned threads)
   return solver;
 }
 
-/** A chain of two boxes that bends by so much, relative to the source. */
-BoxChain
-bent (double times)
-{
-  BoxChain chain;
-  chain.boxes = 2;
-  chain.angle = 0.1 * times;
-  for (double& p : chain.root.parameters)
-    p *= times;
-  return chain;
-}
-
 class CloudWindow : public ::testing::Test {
 protected:
   static constexpr int kPoints = 2500;

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
+#include "support/cloud_flow_error.h"
 #include <pcl_msf/cloud_flow_estimator.h>
 #include <pcl_msf/synthetic/body_clouds.h>
 
@@ -12,20 +13,8 @@
 namespace {
 
 using namespace pcl_msf;
+using pcl_msf::testing::meanError;
 using synthetic::BodyClouds;
-
-double
-meanError (const CloudFlow& flow, const std::vector<Eigen::Vector3f>& truth)
-{
-  double sum = 0.0;
-  int count = 0;
-  for (std::size_t i = 0; i < truth.size(); ++i)
-    if (flow.warped[i].allFinite() && truth[i].allFinite()) {
-      sum += (flow.warped[i] - truth[i]).norm();
-      ++count;
-    }
-  return sum / count;
-}
 
 /** Mean errors over seeds, metres. */
 struct Errors {
