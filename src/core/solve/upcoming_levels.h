@@ -24,11 +24,6 @@ public:
   begin (const WindowScene& scene, std::vector<Request> requests);
 
   bool
-  empty () const
-  {
-    return levels_.empty();
-  }
-  bool
   has (int level) const
   {
     return levels_.count (level) > 0;
