@@ -19,6 +19,11 @@ addFrameOptions (CLI::App& app, FrameParameters& p)
   addNumber (app, "--min-depth", "M", "nearer points are dropped", p.min_depth);
   addNumber (app, "--max-depth", "M", "farther points are dropped", p.max_depth);
   addNumber (app, "--max-levels", "N", "pyramid levels of a frame", p.max_levels);
+  addNumber (app,
+             "--finest-level",
+             "N",
+             "halve frames so often first: 1 takes a third of the time",
+             p.finest_level);
   addWord<NormalMethod> (app,
                          "--normals",
                          "of the reference",

@@ -22,6 +22,10 @@ struct PCL_MSF_EXPORT FrameParameters {
   double min_depth{0.0};       ///< metres; nearer points are dropped, >= 0
   double max_depth{1000.0};    ///< metres; farther points are dropped, > min_depth
   int max_levels{5};           ///< pyramid levels at the most, [1, 10]
+  int finest_level{0}; ///< [0, 4]: the images are halved so often before anything else,
+                       ///< and what is found is carried back to all pixels by their own
+                       ///< depth. 1 takes a third of the time, and what is small moves
+                       ///< with what is around it
   NormalMethod normals{NormalMethod::CentralDifferences};
 
   bool

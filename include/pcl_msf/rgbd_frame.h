@@ -46,8 +46,8 @@ public:
    * \param depth CV_32FC1, metres; NaN, inf, 0 and negative = no measurement
    * \param camera of both (they are registered to each other)
    * \param normals CV_32FC3 or empty: used in place of computed normals when given
-   * \throws InvalidInput for less than 12x12 pixels, sizes that differ, no valid depth,
-   * intensity in another unit, absurd camera */
+   * \throws InvalidInput for less than 12x12 pixels, at the finest level, too, sizes
+   * that differ, no valid depth, intensity in another unit, absurd camera */
   static RgbdFrame
   fromImages (const cv::Mat& color,
               const cv::Mat& depth,
@@ -81,29 +81,52 @@ public:
     return levels_.at (0).camera;
   }
 
-  /** \brief Level 0 is the input's resolution, each next one half of it. */
+  /** \brief Level 0 has the frame's size, each next one half of it. */
   const std::vector<FrameLevel>&
   levels () const
   {
     return levels_;
   }
 
-  /** \brief Standard deviation of the intensity noise, intensity units. */
+  /** \brief How often the input was halved: FrameParameters::finest_level. */
+  int
+  finestLevel () const
+  {
+    return finest_level_;
+  }
+
+  /** \brief The input's camera, in its own pixels, of which the frame's are each
+   * 2^finestLevel ()th; pixel 0 is the same. */
+  const PinholeCamera&
+  inputCamera () const
+  {
+    return finest_level_ == 0 ? camera() : input_camera_;
+  }
+
+  /** \brief The input's inverse depth, CV_32FC1, 1 / metres; 0 = no measurement. */
+  const cv::Mat&
+  inputInverseDepth () const
+  {
+    return finest_level_ == 0 ? levels_.at (0).inverse_depth : input_inverse_depth_;
+  }
+
+  /** \brief Standard deviation of the input's intensity noise, intensity units; what
+   * is halved keeps it, as neighbours err alike. */
   double
   intensityNoise () const
   {
     return intensity_noise_;
   }
 
-  /** \brief Standard deviation of the inverse depth, 1 / metres; sigma_z = z^2 times
-   * this (disparity sensors have one such number for all depths). */
+  /** \brief Standard deviation of the input's inverse depth, 1 / metres; sigma_z = z^2
+   * times this (disparity sensors have one such number for all depths). */
   double
   inverseDepthNoise () const
   {
     return inverse_depth_noise_;
   }
 
-  /** \brief Unsmoothed 8-bit grey image at full resolution; empty without colour. */
+  /** \brief Unsmoothed 8-bit grey image of the frame's size; empty without colour. */
   const cv::Mat&
   gray () const
   {
@@ -119,6 +142,9 @@ public:
 
 private:
   std::vector<FrameLevel> levels_;
+  PinholeCamera input_camera_; ///< both unused when finest_level_ is 0
+  cv::Mat input_inverse_depth_;
+  int finest_level_{0};
   cv::Mat gray_;
   cv::Mat color_;
   double intensity_noise_{0.0};

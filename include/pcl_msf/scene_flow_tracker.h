@@ -27,6 +27,8 @@ struct PCL_MSF_EXPORT TrackerParameters {
                                ///< frame below which the window begins anew, [0, 1]
   double least_explained{0.5}; ///< share of the newest frame's points that a segment of
                                ///< the reference covers below which it begins anew
+  bool dense{true}; ///< fill in the images of results: without, these are empty, which
+                    ///< takes less time where segments, groups and poses are enough
   bool merge_segments{
       false}; ///< of a window: segments that moved as one rigid body over a full
               ///< window become one, until the reference is given up

@@ -305,4 +305,14 @@ TEST_F (SceneFlowTool, EndsCleanlyOnASignal)
   EXPECT_FALSE (std::filesystem::exists (result ("report.json")));
 }
 
+TEST_F (SceneFlowTool, GivesEveryPixelsFlowAtACoarserFinestLevel)
+{
+  expectRefusal (imageArguments() + " --finest-level 9 --output " + folder_ ("out"),
+                 "finest_level must be in [0, 4]");
+  const ToolRun done =
+      run (imageArguments() + " --finest-level 1 --output " + folder_ ("out"));
+  ASSERT_EQ (done.status, 0) << done.err;
+  checkFlow (io::readFlow (result ("flow_0_1.flo")));
+}
+
 } // namespace

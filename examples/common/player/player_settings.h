@@ -29,6 +29,7 @@ struct PlayerSettings : WindowSettings {
   std::optional<double> rate; ///< frames a second; none = the recording's own times
   bool every_frame{false};    ///< as fast as possible, none dropped
   int queue{1};               ///< frames that may wait
+  bool dense{true};           ///< results have images
 
   /** \brief Live, so that it has a rate of its own and is no folder. */
   bool

@@ -17,6 +17,7 @@ trackerParameters (const PlayerSettings& options)
 {
   TrackerParameters parameters;
   parameters.window = options.window;
+  parameters.dense = options.dense;
   return parameters;
 }
 

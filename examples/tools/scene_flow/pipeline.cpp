@@ -20,7 +20,7 @@ namespace {
 Oversegmentation
 segment (const Options& options, const Inputs& inputs, const RgbdFrame& frame)
 {
-  const cv::Mat labels = inputs.labels ({frame.width(), frame.height()});
+  const cv::Mat labels = inputs.labels (frame.inputInverseDepth().size());
   if (labels.empty())
     return Oversegmentation::fromFrame (
         frame, options.segmentation, options.solver.threads);

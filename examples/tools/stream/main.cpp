@@ -108,7 +108,9 @@ playInto (StreamOutput& output,
           FrameSource& source,
           const StreamOptions& options)
 {
-  StreamTracker tracker (options);
+  PlayerSettings settings = options;
+  settings.dense = options.flow;
+  StreamTracker tracker (settings);
   FramePlayer::Queue queue (options.queue);
   FramePlayer player (source, queue);
   while (const auto frame = queue.pop()) {

@@ -55,7 +55,7 @@ PiecewiseRigidTracker<PointT>::addCloud (const PointCloudConstPtr& cloud)
             .front();
     const long reference = tracker_.firstFrame();
     tracker_.add (frame);
-    used_camera_ = frame.camera();
+    used_camera_ = frame.inputCamera();
     intensity_unit_ = unit;
     if (first)
       reference_ = kept;

@@ -49,6 +49,12 @@ requireUsable (const cv::Mat& color,
     throw InvalidInput (why);
   if (!hasDepth (depth, parameters, &why))
     throw InvalidInput ("no valid depth: " + why);
+  const int finest = parameters.finest_level;
+  why = whyTooSmall ({depth.cols >> finest, depth.rows >> finest});
+  if (!why.empty())
+    throw InvalidInput ("finest_level is " + std::to_string (finest) +
+                        ", at which the frame of " + sizeText (depth.size()) + " " +
+                        why + "; use a lower one");
 }
 
 /** Grey in [0, 1]; NaN in a float image counts as black. */
@@ -94,8 +100,26 @@ halve (const FrameLevel& fine, double noise, const FrameTuning& tuning)
   if (!fine.intensity.empty())
     inThisThread ([&] { cv::pyrDown (fine.intensity, coarse.intensity); });
   coarse.inverse_depth = halveInverseDepth (fine.inverse_depth, noise, tuning);
-  coarse.normals = halveNormals (fine.normals);
+  if (!fine.normals.empty())
+    coarse.normals = halveNormals (fine.normals);
   return coarse;
+}
+
+cv::Mat
+normalsOf (const FrameLevel& level,
+           double noise,
+           NormalMethod method,
+           const NormalTuning& tuning)
+{
+  switch (method) {
+  case NormalMethod::IntegralImage:
+    return normalsByIntegralImage (level.inverse_depth, level.camera);
+  case NormalMethod::Skip:
+    return cv::Mat::zeros (level.inverse_depth.size(), CV_32FC3);
+  case NormalMethod::CentralDifferences:
+    break;
+  }
+  return normalsByCentralDifferences (level.inverse_depth, level.camera, noise, tuning);
 }
 
 } // namespace
@@ -114,32 +138,37 @@ RgbdFrame::fromImages (const cv::Mat& color,
   level.camera = camera;
   level.inverse_depth =
       inverseDepth (depth, parameters.min_depth, parameters.max_depth);
-  frame.inverse_depth_noise_ = estimateInverseDepthNoise (level.inverse_depth);
+  const double noise = frame.inverse_depth_noise_ =
+      estimateInverseDepthNoise (level.inverse_depth);
   if (!color.empty()) {
     level.intensity = toIntensity (color);
     frame.intensity_noise_ = estimateIntensityNoise (level.intensity);
-    level.intensity.convertTo (frame.gray_, CV_8U, 255.0);
     if (color.type() == CV_8UC3)
       frame.color_ = color.clone();
+  }
+  if (!normals.empty())
+    level.normals = unitOrZero (normals);
+  if (parameters.finest_level > 0) {
+    frame.finest_level_ = parameters.finest_level;
+    frame.input_camera_ = camera;
+    frame.input_inverse_depth_ = level.inverse_depth;
+  }
+  for (int i = 0; i < parameters.finest_level; ++i)
+    level = halve (level, noise, tuning);
+  if (!color.empty()) {
+    level.intensity.convertTo (frame.gray_, CV_8U, 255.0);
     if (parameters.smoothing_sigma > 0.0)
       inThisThread ([&] {
         cv::GaussianBlur (
             level.intensity, level.intensity, {}, parameters.smoothing_sigma);
       });
   }
-  if (!normals.empty())
-    level.normals = unitOrZero (normals);
-  else if (parameters.normals == NormalMethod::IntegralImage)
-    level.normals = normalsByIntegralImage (level.inverse_depth, camera);
-  else if (parameters.normals == NormalMethod::Skip)
-    level.normals = cv::Mat::zeros (depth.size(), CV_32FC3);
-  else
-    level.normals = normalsByCentralDifferences (
-        level.inverse_depth, camera, frame.inverse_depth_noise_, tuning.normals);
+  if (level.normals.empty())
+    level.normals = normalsOf (level, noise, parameters.normals, tuning.normals);
   frame.levels_.push_back (level);
   while (static_cast<int> (frame.levels_.size()) < parameters.max_levels &&
          std::min (level.width(), level.height()) >= 2 * tuning.smallest_side) {
-    level = halve (level, frame.inverse_depth_noise_, tuning);
+    level = halve (level, noise, tuning);
     frame.levels_.push_back (level);
   }
   return frame;

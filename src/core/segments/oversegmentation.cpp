@@ -4,6 +4,7 @@
 #include "core/base/tuning/tuning.h"
 #include "core/segments/connected_segments.h"
 #include "core/segments/library_segmentations.h"
+#include "core/segments/segment_pixels.h"
 #include "core/segments/surface_clusters.h"
 #include <pcl_msf/errors.h>
 #include <pcl_msf/oversegmentation.h>
@@ -108,11 +109,14 @@ Oversegmentation::fromLabels (const cv::Mat& labels, const RgbdFrame& frame)
 {
   if (frame.empty())
     throw InvalidInput ("segmentation: the frame is empty");
-  if (labels.type() != CV_32SC1 || labels.cols != frame.width() ||
-      labels.rows != frame.height())
+  const bool of_input = labels.size() == frame.inputInverseDepth().size();
+  const cv::Size size (frame.width(), frame.height());
+  if (labels.type() != CV_32SC1 || (!of_input && labels.size() != size))
     throw InvalidInput ("labels must be a CV_32SC1 image of the frame's size");
   Oversegmentation result;
   result.labels_ = labels.clone();
+  for (int i = 0; of_input && i < frame.finestLevel(); ++i)
+    result.labels_ = halveLabels (result.labels_);
   result.size_ = makeDense (frame.levels()[0].inverse_depth, result.labels_);
   if (result.size_ == 0)
     throw InvalidInput ("no segment has a point with depth: give labels or indices of "
@@ -124,7 +128,9 @@ Oversegmentation
 Oversegmentation::fromIndices (const std::vector<pcl::PointIndices>& clusters,
                                const RgbdFrame& frame)
 {
-  cv::Mat labels (frame.height(), frame.width(), CV_32SC1, cv::Scalar (-1));
+  if (frame.empty())
+    throw InvalidInput ("segmentation: the frame is empty");
+  cv::Mat labels (frame.inputInverseDepth().size(), CV_32SC1, cv::Scalar (-1));
   const int pixels = static_cast<int> (labels.total());
   for (std::size_t k = 0; k < clusters.size(); ++k)
     for (const int index : clusters[k].indices) {

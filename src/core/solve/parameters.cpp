@@ -49,6 +49,7 @@ FrameParameters::isValid (std::string* why) const
   r.need (between (max_depth, 0.0, kHuge) && max_depth > min_depth,
           "max_depth must be greater than min_depth and at most 1e12 m");
   r.need (max_levels >= 1 && max_levels <= 10, "max_levels must be in [1, 10]");
+  r.need (finest_level >= 0 && finest_level <= 4, "finest_level must be in [0, 4]");
   return r.met (why);
 }
 

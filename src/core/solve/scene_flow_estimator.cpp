@@ -43,6 +43,11 @@ SceneFlowEstimator::requireUsable (const RgbdFrame& reference,
                         sizeText ({reference.width(), reference.height()}) + " and " +
                         sizeText ({current.width(), current.height()}) +
                         "; resample one of them");
+  if (reference.finestLevel() != current.finestLevel())
+    throw InvalidInput ("the frames were made with different finest_level, " +
+                        std::to_string (reference.finestLevel()) + " and " +
+                        std::to_string (current.finestLevel()) +
+                        "; give both the same");
   if (reference.hasIntensity() != current.hasIntensity())
     throw InvalidInput (
         "one frame has colour and the other has none: give it to both or "

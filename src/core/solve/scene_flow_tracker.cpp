@@ -110,13 +110,17 @@ SceneFlowTracker::cameraPose() const
   return world_from_reference_ * sceneFlow().dominant_motion.inverse();
 }
 
-/** Share of the reference's points that the newest frame shows. */
+/** Share of the reference's segments' points that the newest frame shows. */
 double
 SceneFlowTracker::visibleShare() const
 {
-  const cv::Mat& visibility = sceneFlow().visibility;
-  const double seen = cv::countNonZero (visibility == pixelValue (Visibility::Visible));
-  return seen / std::max (1, cv::countNonZero (visibility));
+  int points = 0;
+  int seen = 0;
+  for (const SegmentMotion& segment : sceneFlow().segments) {
+    points += segment.points;
+    seen += segment.visible_points;
+  }
+  return static_cast<double> (seen) / std::max (1, points);
 }
 
 /** Per segment, the first one of those that share all its motions. */
@@ -217,6 +221,8 @@ SceneFlowTracker::solve (Window window)
   const std::vector<RgbdFrame> frames (window.frames.begin(), window.frames.end());
   WindowSolve joint (
       frames, 0, window.segments, energy_, solver_, multiframe_, currentTuning());
+  if (!tracker_.dense)
+    joint.leaveImagesOut();
   const RigidPose last_step =
       result_.frames.size() < 2
           ? RigidPose{}

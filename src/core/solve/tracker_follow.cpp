@@ -149,6 +149,8 @@ SceneFlowTracker::follow (Window window)
     solve = std::make_unique<WindowSolve> (
         frames, 0, window.segments, energy_, solver_, multiframe_, currentTuning());
     solve->keepSegmentsApart();
+    if (!tracker_.dense)
+      solve->leaveImagesOut();
     if (predicted)
       solve->follow (anew ? predictAnew (window.segments) : predictMotion());
     result = solve->run (anew ? RigidPose{} : sceneFlow().dominant_motion);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/energy/minimize.h"
+#include "core/result/outcome.h"
 #include "core/solve/upcoming_levels.h"
 #include "core/solve/window_start.h"
 #include "core/start/pair_start.h"
@@ -69,6 +70,13 @@ public:
   keepSegmentsApart ()
   {
     apart_ = true;
+  }
+
+  /** \brief Leaves the images of results empty. */
+  void
+  leaveImagesOut ()
+  {
+    dense_ = false;
   }
 
   /** \brief Did run () begin as follow () says? */
@@ -206,8 +214,10 @@ private:
                   int pair,
                   const PinholeCamera& camera,
                   SceneFlow& result) const;
+  std::vector<Judgement>
+  judge (MultiframeSceneFlow& result) const;
   void
-  concludeReport (MultiframeSceneFlow& result);
+  finishImages (MultiframeSceneFlow& result);
 
   const std::vector<RgbdFrame>& frames_;
   const FramePairs pairs_;
@@ -227,6 +237,7 @@ private:
   std::unique_ptr<FollowedMotion> followed_; ///< likewise
   bool follows_{false};
   bool apart_{false};
+  bool dense_{true};
   WindowState state_;
   std::vector<double> fit_;
   std::unique_ptr<WindowLevel> level_; ///< the present one

@@ -4,6 +4,7 @@
 #include "core/result/dense_visibility.h"
 #include "core/result/deviations.h"
 #include "core/result/flow_refinement.h"
+#include "core/result/input_resolution.h"
 #include "core/result/outcome.h"
 #include "core/result/pose_covariance.h"
 #include "core/result/segment_results.h"
@@ -48,7 +49,8 @@ WindowSolve::refine (int frame, SceneFlow& result) const
 {
   const RgbdFrame& reference = frames_[pairs_.reference()];
   const RefinementTuning& tuning = scene_.tuning.result.refinement;
-  if (!user_.refine_flow || !reference.hasIntensity() || !frames_[frame].hasIntensity())
+  if (!dense_ || !user_.refine_flow || !reference.hasIntensity() ||
+      !frames_[frame].hasIntensity())
     return;
   const cv::Mat mask = pointsToRefine (result, tuning, scene_.threads);
   if (mask.empty())
@@ -80,6 +82,8 @@ WindowSolve::fillConfidence (const DataTerm& data,
                        scene_.tuning.result.information,
                        scene_.threads,
                        result);
+  if (!dense_)
+    return;
   fillDeviations (data.pixels(),
                   covariances,
                   camera,
@@ -105,21 +109,27 @@ WindowSolve::finish()
     result.motions.push_back (std::move (motion));
   }
   report_.result_seconds = monitor_.seconds() - before;
-  concludeReport (result);
+  report_.iterations = monitor_.iterations();
+  report_.history = monitor_.history();
+  conclude (cancelled_ ? StopReason::Cancelled : monitor_.stopReason(),
+            judge (result),
+            report_);
+  finishImages (result);
+  for (SceneFlow& flow : result.frames)
+    flow.report = report_;
   return result;
 }
 
-void
-WindowSolve::concludeReport (MultiframeSceneFlow& result)
+/** How well the motion into each frame fits. */
+std::vector<Judgement>
+WindowSolve::judge (MultiframeSceneFlow& result) const
 {
-  report_.iterations = monitor_.iterations();
-  report_.history = monitor_.history();
-  const RgbdFrame& reference = frames_[pairs_.reference()];
+  const int reference = pairs_.reference();
   std::vector<Judgement> judgements;
   for (int f = 0; f < pairs_.frames(); ++f) {
-    if (f == pairs_.reference())
+    if (f == reference)
       continue;
-    judgements.push_back (judgeMotion (reference,
+    judgements.push_back (judgeMotion (frames_[reference],
                                        frames_[f],
                                        scene_.noise.intensity,
                                        scene_.tuning.result.outcome,
@@ -127,10 +137,32 @@ WindowSolve::concludeReport (MultiframeSceneFlow& result)
                                        result.frames[f]));
     judgements.back().frame = isPair() ? -1 : f;
   }
-  conclude (
-      cancelled_ ? StopReason::Cancelled : monitor_.stopReason(), judgements, report_);
-  for (SceneFlow& flow : result.frames)
-    flow.report = report_;
+  return judgements;
+}
+
+/** Brings the images to the size of the input, or leaves them out. */
+void
+WindowSolve::finishImages (MultiframeSceneFlow& result)
+{
+  const RgbdFrame& reference = frames_[pairs_.reference()];
+  const double before = monitor_.seconds();
+  for (int f = 0; f < pairs_.frames(); ++f) {
+    SceneFlow& flow = result.frames[f];
+    if (!dense_)
+      for (cv::Mat* image : {&flow.labels,
+                             &flow.points,
+                             &flow.displacement,
+                             &flow.flow,
+                             &flow.visibility})
+        image->release();
+    else if (f != pairs_.reference() && reference.finestLevel() > 0)
+      carryToInput (reference,
+                    frames_[f].inputCamera(),
+                    scene_.tuning.frame,
+                    scene_.threads,
+                    flow);
+  }
+  report_.result_seconds += monitor_.seconds() - before;
 }
 
 } // namespace pcl_msf

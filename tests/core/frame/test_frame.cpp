@@ -190,7 +190,7 @@ TEST (RgbdFrame, RefusesBadInputAndNamesTheRemedy)
 
 TEST (RgbdFrame, RefusesBadParametersAndNamesTheirRange)
 {
-  std::vector<std::pair<FrameParameters, const char*>> bad (6);
+  std::vector<std::pair<FrameParameters, const char*>> bad (9);
   bad[0] = {{}, "smoothing_sigma must be in"};
   bad[0].first.smoothing_sigma = std::nan ("");
   bad[1] = {{}, "smoothing_sigma must be in"};
@@ -203,6 +203,12 @@ TEST (RgbdFrame, RefusesBadParametersAndNamesTheirRange)
   bad[4].first.max_levels = 0;
   bad[5] = {{}, "max_levels must be in"};
   bad[5].first.max_levels = 11;
+  bad[6] = {{}, "finest_level must be in"};
+  bad[6].first.finest_level = -1;
+  bad[7] = {{}, "finest_level must be in"};
+  bad[7].first.finest_level = 5;
+  bad[8] = {{}, "finest_level is 3, at which the frame of 96x80 is 12x10"};
+  bad[8].first.finest_level = 3;
   for (const auto& [parameters, remedy] : bad) {
     try {
       RgbdFrame::fromImages ({}, kPlane.constant (2.0), kCamera, parameters);
@@ -212,6 +218,55 @@ TEST (RgbdFrame, RefusesBadParametersAndNamesTheirRange)
       EXPECT_THAT (error.what(), HasSubstr (remedy));
     }
   }
+}
+
+TEST (RgbdFrame, BeginsAtTheFinestLevelAskedFor)
+{
+  FrameParameters half;
+  half.finest_level = 1;
+  const cv::Mat color = test::image (
+      test::SlantedPlane::kWidth, test::SlantedPlane::kHeight, [] (int x, int y) {
+        return 0.5 + 0.3 * std::sin (0.2 * x + 0.1 * y);
+      });
+  const RgbdFrame whole = RgbdFrame::fromImages (color, kPlane.depth(), kCamera);
+  const RgbdFrame frame = RgbdFrame::fromImages (color, kPlane.depth(), kCamera, half);
+  EXPECT_EQ (whole.finestLevel(), 0);
+  EXPECT_EQ (frame.finestLevel(), 1);
+  EXPECT_EQ (frame.width(), test::SlantedPlane::kWidth / 2);
+  EXPECT_EQ (frame.gray().size(), frame.levels()[0].intensity.size());
+  EXPECT_EQ (frame.camera().fx, 0.5 * kCamera.fx);
+  EXPECT_EQ (frame.inputCamera().fx, kCamera.fx);
+  EXPECT_EQ (whole.inputCamera().fx, kCamera.fx);
+  EXPECT_EQ (
+      cv::norm (frame.inputInverseDepth(), whole.inputInverseDepth(), cv::NORM_INF),
+      0.0);
+  const FrameLevel& level = frame.levels()[0];
+  for (int y = 2; y < frame.height() - 2; ++y)
+    for (int x = 2; x < frame.width() - 2; ++x) {
+      const float w = whole.inputInverseDepth().at<float> (2 * y, 2 * x);
+      EXPECT_NEAR (level.inverse_depth.at<float> (y, x), w, 1e-5);
+      const cv::Vec3f n = level.normals.at<cv::Vec3f> (y, x);
+      EXPECT_NEAR (kNormal.dot (Eigen::Vector3d (n[0], n[1], n[2])), 1.0, 1e-3)
+          << x << " " << y;
+    }
+}
+
+TEST (RgbdFrame, HalvesGivenNormalsAndKeepsTheNoiseOfItsInput)
+{
+  FrameParameters half;
+  half.finest_level = 1;
+  const cv::Mat normals (test::SlantedPlane::kHeight,
+                         test::SlantedPlane::kWidth,
+                         CV_32FC3,
+                         cv::Scalar (0, 0, -2));
+  cv::Mat depth = kPlane.constant (2.0);
+  cv::Mat noise (depth.size(), CV_32FC1);
+  cv::RNG (3).fill (noise, cv::RNG::NORMAL, 0.0, 0.01);
+  depth += noise;
+  const RgbdFrame whole = RgbdFrame::fromImages ({}, depth, kCamera, {}, normals);
+  const RgbdFrame frame = RgbdFrame::fromImages ({}, depth, kCamera, half, normals);
+  EXPECT_EQ (frame.levels()[0].normals.at<cv::Vec3f> (7, 9), cv::Vec3f (0, 0, -1));
+  EXPECT_EQ (frame.inverseDepthNoise(), whole.inverseDepthNoise());
 }
 
 } // namespace

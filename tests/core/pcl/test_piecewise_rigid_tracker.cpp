@@ -213,4 +213,24 @@ TEST (PiecewiseRigidTracker, NamesItselfWhenItRefuses)
                               method + "] "));
 }
 
+TEST (PiecewiseRigidTracker, CarriesEveryPointAtACoarserFinestLevel)
+{
+  const test::AnalyticScene scene = standingRoom();
+  PiecewiseRigidTracker<pcl::PointXYZI> tracker;
+  FrameParameters half;
+  half.finest_level = 1;
+  tracker.setFrameParameters (half);
+  int frame = 0;
+  for (const test::View& view : test::renderWindow (scene, 3)) {
+    ASSERT_TRUE (tracker.addCloud (toCloud (scene, view)));
+    const RigidPose camera = RigidPose::fromMatrix (tracker.getCameraPose());
+    EXPECT_LT (distanceToTruth (scene, frame, camera), 0.006 * (1 + frame));
+    ++frame;
+  }
+  const Cloud warped = tracker.getWarpedCloud();
+  EXPECT_EQ (warped.width, static_cast<unsigned> (scene.width));
+  EXPECT_EQ (warped.height, static_cast<unsigned> (scene.height));
+  EXPECT_TRUE (std::isfinite (warped (81, 61).x));
+}
+
 } // namespace

@@ -114,4 +114,37 @@ TEST (Oversegmentation, RefusesBadParametersAndNamesTheirRange)
                    remedy);
 }
 
+/** The same frame, halved before anything else: 24 x 20. */
+RgbdFrame
+halfFrame ()
+{
+  FrameParameters half;
+  half.finest_level = 1;
+  return RgbdFrame::fromImages (
+      {}, cv::Mat (40, 48, CV_32FC1, cv::Scalar (2)), {50, 50, 24, 20}, half);
+}
+
+TEST (FromLabels, AreHalvedWithTheFrameOrAreOfItsSize)
+{
+  cv::Mat labels (40, 48, CV_32SC1, cv::Scalar (4));
+  labels.colRange (24, 48) = 9;
+  const auto of_input = Oversegmentation::fromLabels (labels, halfFrame());
+  ASSERT_EQ (of_input.labels().size(), cv::Size (24, 20));
+  EXPECT_EQ (of_input.labels().at<int> (3, 11), 0);
+  EXPECT_EQ (of_input.labels().at<int> (3, 12), 1);
+  const cv::Mat own = of_input.labels();
+  EXPECT_TRUE (same (Oversegmentation::fromLabels (own, halfFrame()).labels(), own));
+  EXPECT_THROW (Oversegmentation::fromLabels (own, plainFrame()), InvalidInput);
+}
+
+TEST (FromIndices, AreOfTheInputsPixels)
+{
+  std::vector<pcl::PointIndices> clusters (1);
+  clusters[0].indices = {6 * 48 + 10, 39 * 48 + 47};
+  const auto segments = Oversegmentation::fromIndices (clusters, halfFrame());
+  EXPECT_EQ (segments.labels().at<int> (3, 5), 0);
+  EXPECT_EQ (segments.labels().at<int> (19, 23), 0);
+  EXPECT_EQ (cv::countNonZero (segments.labels() >= 0), 2);
+}
+
 } // namespace

@@ -7,6 +7,8 @@
 #include "support/points.h"
 #include "support/pose_matcher.h"
 #include "support/room.h"
+#include <gmock/gmock.h>
+#include <pcl_msf/errors.h>
 
 #include <cmath>
 
@@ -197,6 +199,62 @@ TEST (GeometryOnly, BumpySurfaceIsEnough)
   EXPECT_LT ((result.dominant_motion * motion.inverse()).angle(), 0.001);
   EXPECT_GT (cv::countNonZero (result.visibility == pixelValue (Visibility::Visible)),
              0.85 * 160 * 120);
+}
+
+/** Both frames halved before anything else. */
+class HalvedRoom : public Room {
+protected:
+  HalvedRoom()
+  {
+    FrameParameters half;
+    half.finest_level = 1;
+    half.smoothing_sigma = 0.0;
+    reference_ = scene_.frame (view_, half);
+    current_ = scene_.frame (scene_.render (true), half);
+    SegmentationParameters cut;
+    cut.segment_size = 10;
+    segments_ = Oversegmentation::fromFrame (reference_, cut);
+  }
+};
+
+TEST_F (HalvedRoom, FlowIsThatOfEveryPixelOfTheInput)
+{
+  const SceneFlow result = estimate();
+  for (const cv::Mat& image : {result.labels,
+                               result.points,
+                               result.displacement,
+                               result.flow,
+                               result.visibility,
+                               result.flow_deviation,
+                               result.displacement_deviation})
+    ASSERT_EQ (image.size(), view_.depth.size());
+  EXPECT_EQ (result.camera.fx, scene_.camera.fx);
+  const auto all = errors (result);
+  const auto box = errors (result, 1);
+  EXPECT_LT (all[all.size() / 2], 0.1);
+  EXPECT_LT (mean (all), 0.4);
+  EXPECT_LT (box[box.size() / 2], 0.3);
+  EXPECT_TRUE (std::isnan (result.flow.at<cv::Vec2f> (kHole.y, kHole.x)[0]));
+  int points = 0;
+  for (const SegmentMotion& segment : result.segments)
+    points += segment.points;
+  EXPECT_EQ (points, cv::countNonZero (result.labels >= 0));
+}
+
+TEST_F (HalvedRoom, FramesOfTwoFinestLevelsAreRefused)
+{
+  FrameParameters quarter;
+  quarter.finest_level = 2;
+  scene_.width *= 2;
+  scene_.height *= 2;
+  current_ = scene_.frame (scene_.render (true), quarter);
+  try {
+    estimate();
+    FAIL();
+  }
+  catch (const InvalidInput& error) {
+    EXPECT_THAT (error.what(), testing::HasSubstr ("different finest_level, 1 and 2"));
+  }
 }
 
 } // namespace

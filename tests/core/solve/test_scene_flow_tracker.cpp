@@ -306,4 +306,34 @@ TEST (SceneFlowTracker, RefusesBadInputAndStaysAsItWas)
   EXPECT_EQ (tracker.cameraPose().parameters, RigidPose{}.parameters);
 }
 
+TEST (SceneFlowTracker, LeavesImagesOutAndFollowsAsItDoesWithThem)
+{
+  const test::AnalyticScene scene = standingRoom();
+  for (const int window : {0, 3}) {
+    TrackerParameters parameters;
+    parameters.window = window;
+    SceneFlowTracker with = makeTracker (parameters);
+    parameters.dense = false;
+    SceneFlowTracker without = makeTracker (parameters);
+    for (const test::View& view : test::renderWindow (scene, 4)) {
+      const RgbdFrame frame = scene.frame (view);
+      with.add (frame);
+      without.add (frame);
+      EXPECT_EQ (with.cameraPose().matrix(), without.cameraPose().matrix());
+    }
+    const SceneFlow& flow = without.sceneFlow();
+    EXPECT_TRUE (flow.report.converged);
+    EXPECT_EQ (flow.groups, with.sceneFlow().groups);
+    EXPECT_EQ (flow.segments.size(), with.sceneFlow().segments.size());
+    for (const cv::Mat& image : {flow.labels,
+                                 flow.points,
+                                 flow.displacement,
+                                 flow.flow,
+                                 flow.visibility,
+                                 flow.flow_deviation,
+                                 flow.displacement_deviation})
+      EXPECT_TRUE (image.empty());
+  }
+}
+
 } // namespace
