@@ -3,6 +3,7 @@
 // A camera, or a recording played as one would deliver it, into the tracker.
 #include "common/input_files.h"
 #include "common/interruption.h"
+#include "common/kept_memory.h"
 #include "common/output_folder.h"
 #include "common/player/frame_player.h"
 #include "common/player/open_source.h"
@@ -138,6 +139,7 @@ playInto (StreamOutput& output,
 int
 run (const StreamOptions& options)
 {
+  keepFreedMemory();
   const auto source = openSource (options, warn);
   limitThreads (options);
   StreamOutput output (options);

@@ -3,52 +3,70 @@
 #include "core/frame/depth_pyramid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pcl_msf {
 
 namespace {
 
-/** Inverse depths of the 3x3 block around a pixel; outside the image: none. */
-std::array<float, 9>
-block (const cv::Mat& w, int x, int y)
+/** Every second pixel of a row, of which all have neighbours on all sides. */
+struct CoarseRow {
+  const float* above; ///< at the first one, in the row above
+  const float* own;
+  const float* below;
+  int n;
+  float noise; ///< tolerance by it
+  float same_surface;
+  float* coarse;
+};
+
+/** Takes part in a mean if it is measured and near the lead. */
+[[gnu::always_inline]] inline void
+addPixel (
+    float value, float lead, float tolerance, float times, float& sum, float& weight)
 {
-  std::array<float, 9> values{};
-  for (int dy = -1; dy <= 1; ++dy) {
-    const int yy = y + dy;
-    if (yy < 0 || yy >= w.rows)
-      continue;
-    const float* row = w.ptr<float> (yy);
-    for (int dx = -1; dx <= 1; ++dx)
-      if (x + dx >= 0 && x + dx < w.cols)
-        values[(dy + 1) * 3 + dx + 1] = row[x + dx];
-  }
-  return values;
+  const bool same = value > 0.0f && std::abs (value - lead) < tolerance;
+  sum += same ? times * value : 0.0f;
+  weight += same ? times : 0.0f;
 }
 
-float
-averageOfSameSurface (const std::array<float, 9>& values,
-                      float noise,
-                      const FrameTuning& tuning)
+[[gnu::always_inline]] inline float
+larger (float a, float b)
 {
-  static constexpr std::array<float, 9> kWeights{1, 2, 1, 2, 4, 2, 1, 2, 1};
-  float lead = values[4];
-  if (lead <= 0.0f)
-    lead = *std::max_element (values.begin(), values.end());
-  if (lead <= 0.0f)
-    return 0.0f;
-  const float tolerance =
-      std::max (tuning.same_sigmas * noise, tuning.same_surface * lead);
-  float sum = 0.0f;
-  float weight = 0.0f;
-  for (int i = 0; i < 9; ++i)
-    if (values[i] > 0.0f && std::abs (values[i] - lead) < tolerance) {
-      sum += kWeights[i] * values[i];
-      weight += kWeights[i];
-    }
-  return sum / weight;
+  return a < b ? b : a;
 }
+
+[[gnu::always_inline]] inline void
+averageRow (const CoarseRow& row)
+{
+  const float* a = row.above;
+  const float* b = row.own;
+  const float* c = row.below;
+#pragma omp simd
+  for (int i = 0; i < row.n; ++i) {
+    const int x = 2 * i;
+    const float sides = larger (larger (a[x], c[x]), larger (b[x - 1], b[x + 1]));
+    const float corners =
+        larger (larger (a[x - 1], a[x + 1]), larger (c[x - 1], c[x + 1]));
+    const float lead = b[x] > 0.0f ? b[x] : larger (sides, corners);
+    const float tolerance = larger (row.noise, row.same_surface * lead);
+    float sum = 0.0f;
+    float weight = 0.0f;
+    addPixel (a[x - 1], lead, tolerance, 1.0f, sum, weight);
+    addPixel (a[x], lead, tolerance, 2.0f, sum, weight);
+    addPixel (a[x + 1], lead, tolerance, 1.0f, sum, weight);
+    addPixel (b[x - 1], lead, tolerance, 2.0f, sum, weight);
+    addPixel (b[x], lead, tolerance, 4.0f, sum, weight);
+    addPixel (b[x + 1], lead, tolerance, 2.0f, sum, weight);
+    addPixel (c[x - 1], lead, tolerance, 1.0f, sum, weight);
+    addPixel (c[x], lead, tolerance, 2.0f, sum, weight);
+    addPixel (c[x + 1], lead, tolerance, 1.0f, sum, weight);
+    const float mean = sum / larger (weight, 1.0f);
+    row.coarse[i] = lead > 0.0f ? mean : 0.0f;
+  }
+}
+
+PCL_MSF_VERSIONS (averageSurfaces, averageRow, CoarseRow)
 
 } // namespace
 
@@ -68,13 +86,23 @@ inverseDepth (const cv::Mat& depth, double min_depth, double max_depth)
 }
 
 cv::Mat
-halveInverseDepth (const cv::Mat& w, double noise, const FrameTuning& tuning)
+halveInverseDepth (const cv::Mat& w,
+                   double noise,
+                   const FrameTuning& tuning,
+                   InstructionSet set)
 {
+  cv::Mat with_border;
+  cv::copyMakeBorder (w, with_border, 1, 1, 1, 1, cv::BORDER_CONSTANT, 0.0);
   cv::Mat result ((w.rows + 1) / 2, (w.cols + 1) / 2, CV_32FC1);
   for (int y = 0; y < result.rows; ++y)
-    for (int x = 0; x < result.cols; ++x)
-      result.at<float> (y, x) = averageOfSameSurface (
-          block (w, 2 * x, 2 * y), static_cast<float> (noise), tuning);
+    averageSurfaces ({with_border.ptr<float> (2 * y) + 1,
+                      with_border.ptr<float> (2 * y + 1) + 1,
+                      with_border.ptr<float> (2 * y + 2) + 1,
+                      result.cols,
+                      tuning.same_sigmas * static_cast<float> (noise),
+                      tuning.same_surface,
+                      result.ptr<float> (y)},
+                     set);
   return result;
 }
 

@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "core/base/instruction_set.h"
 #include "core/base/tuning/frame_tuning.h"
 
 namespace pcl_msf {
@@ -16,10 +17,12 @@ inverseDepth (const cv::Mat& depth, double min_depth, double max_depth);
 /** \brief The next coarser level: pixel (i, j) averages, around pixel (2 i, 2 j), those
  * of the 3x3 neighbours that belong to the same surface (inverse depth within the
  * tolerance); where the centre has no measurement the neighbour nearest to the camera
- * stands in. Holes do not grow, surfaces do not mix. */
+ * stands in. Holes do not grow, surfaces do not mix. All instruction sets give the
+ * same bits. */
 cv::Mat
 halveInverseDepth (const cv::Mat& inverse_depth,
                    double noise,
-                   const FrameTuning& tuning);
+                   const FrameTuning& tuning,
+                   InstructionSet set = chosenInstructionSet());
 
 } // namespace pcl_msf

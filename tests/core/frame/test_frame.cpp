@@ -269,4 +269,22 @@ TEST (RgbdFrame, HalvesGivenNormalsAndKeepsTheNoiseOfItsInput)
   EXPECT_EQ (frame.inverseDepthNoise(), whole.inverseDepthNoise());
 }
 
+TEST (HalveInverseDepth, AllInstructionSetsGiveTheSameBits)
+{
+  std::mt19937 random (8);
+  std::normal_distribution<double> noise (0.0, 2e-3);
+  for (const int width : {64, 71}) {
+    const cv::Mat fine = test::image (width, 33, [&] (int x, int y) {
+      const double w = x < 30 ? 0.5 + 0.001 * y : 0.8 - 0.002 * x;
+      return (x * y) % 7 == 0 ? 0.0 : w + noise (random);
+    });
+    const cv::Mat plain = halveInverseDepth (fine, 1e-3, {}, InstructionSet::Default);
+    EXPECT_EQ (plain.size(), cv::Size ((width + 1) / 2, 17));
+    for (const InstructionSet set : usableInstructionSets())
+      EXPECT_EQ (
+          cv::norm (halveInverseDepth (fine, 1e-3, {}, set), plain, cv::NORM_INF), 0.0)
+          << nameOf (set);
+  }
+}
+
 } // namespace
