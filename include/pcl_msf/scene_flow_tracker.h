@@ -8,15 +8,12 @@
 #include <pcl_msf/parameters.h>
 #include <pcl_msf/rgbd_frame.h>
 
-#include <deque>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace pcl_msf {
 
-struct FollowedMotion;
-class WindowSolve;
+class FrameTracker;
 
 /** \brief How a SceneFlowTracker goes from frame to frame. */
 struct PCL_MSF_EXPORT TrackerParameters {
@@ -60,13 +57,17 @@ struct PCL_MSF_EXPORT TrackerParameters {
  */
 class PCL_MSF_EXPORT SceneFlowTracker {
 public:
-  SceneFlowTracker() = default;
+  SceneFlowTracker();
   /** \throws InvalidInput for parameters outside their ranges */
   SceneFlowTracker (const TrackerParameters& tracker,
                     const SegmentationParameters& segmentation,
                     const EnergyParameters& energy,
                     const SolverParameters& solver,
                     const MultiframeParameters& multiframe);
+  SceneFlowTracker (const SceneFlowTracker& other);
+  SceneFlowTracker&
+  operator= (const SceneFlowTracker& other);
+  ~SceneFlowTracker();
 
   /** \brief Takes the next frame; it needs normals. With the first one there is no
    * motion yet. After an exception the tracker is as before, and the next frame may
@@ -84,30 +85,18 @@ public:
    * newest.
    */
   int
-  frames () const
-  {
-    return static_cast<int> (frames_.size());
-  }
+  frames () const;
   /** \brief How many frames were given before the window's reference. */
   long
-  firstFrame () const
-  {
-    return indices_.empty() ? 0 : indices_.front();
-  }
+  firstFrame () const;
   /** \brief How many frames were given before a frame of the window. */
   long
-  frameIndex (int frame) const
-  {
-    return indices_.at (frame);
-  }
+  frameIndex (int frame) const;
 
   /** \brief The window's result; frame 0 is its reference. No frames before the second
    * add. */
   const MultiframeSceneFlow&
-  result () const
-  {
-    return result_;
-  }
+  result () const;
   /** \brief The motion from the window's reference to the newest frame; empty before
    * the second add. */
   const SceneFlow&
@@ -115,10 +104,7 @@ public:
 
   /** \brief Segments of the window's reference. */
   const Oversegmentation&
-  segments () const
-  {
-    return segments_;
-  }
+  segments () const;
 
   /** \brief Camera pose of the newest frame if the dominant motion is that of the
    * static scene: `world_from_camera`, the first frame's camera being the world. */
@@ -126,46 +112,7 @@ public:
   cameraPose () const;
 
 private:
-  struct Window;
-  struct Following;
-
-  Window
-  grow () const;
-  Window
-  slide () const;
-  Window
-  beginAnew () const;
-  std::vector<int>
-  mergedLabels () const;
-  void
-  solve (Window window);
-  void
-  follow (Window window);
-  std::shared_ptr<Following>
-  learn (const WindowSolve& solve, const Window& window) const;
-  FollowedMotion
-  predictMotion () const;
-  FollowedMotion
-  predictAnew (const Oversegmentation& segments) const;
-  void
-  adopt (Window window, MultiframeSceneFlow result);
-  double
-  visibleShare () const;
-  void
-  requireValid () const;
-
-  TrackerParameters tracker_;
-  SegmentationParameters segmentation_;
-  EnergyParameters energy_;
-  SolverParameters solver_;
-  MultiframeParameters multiframe_;
-  std::deque<RgbdFrame> frames_;
-  Oversegmentation segments_;
-  MultiframeSceneFlow result_;
-  RigidPose world_from_reference_;
-  std::vector<long> indices_;                  ///< per frame of the window
-  std::shared_ptr<const Following> following_; ///< null: the next frame is looked for
-  bool explained_{true};                       ///< the newest frame, by the reference
+  std::unique_ptr<FrameTracker> own_;
 };
 
 } // namespace pcl_msf

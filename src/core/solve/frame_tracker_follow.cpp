@@ -2,19 +2,18 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/base/parallel_for.h"
 #include "core/segments/label_use.h"
-#include "core/solve/tracker_window.h"
+#include "core/solve/frame_tracker.h"
 #include "core/solve/window_solve.h"
 #include "core/window/depth_fusion.h"
-#include <pcl_msf/scene_flow_tracker.h>
 
 #include <algorithm>
 #include <utility>
 
-/* SceneFlowTracker that follows the reference frame by frame. */
+/* FrameTracker that follows the reference frame by frame. */
 namespace pcl_msf {
 
 /** What the last frame told. */
-struct SceneFlowTracker::Following {
+struct FrameTracker::Following {
   WindowState state;             ///< of the reference and the newest frame
   std::vector<RigidPose> before; ///< per segment, to the frame before that one
   std::vector<SegmentLink> links;
@@ -68,7 +67,7 @@ mostFrequent (const cv::Mat& labels, int segments, const cv::Mat& image, int val
 
 /** The bodies as they were, where they would be at their last speed or at rest. */
 FollowedMotion
-SceneFlowTracker::predictMotion() const
+FrameTracker::predictMotion() const
 {
   const Following& last = *following_;
   FollowedMotion motion{
@@ -84,7 +83,7 @@ SceneFlowTracker::predictMotion() const
 
 /** The same for a new reference, whose segments belong to the bodies that they show. */
 FollowedMotion
-SceneFlowTracker::predictAnew (const Oversegmentation& segments) const
+FrameTracker::predictAnew (const Oversegmentation& segments) const
 {
   const Following& last = *following_;
   cv::Mat labels = segments.labels();
@@ -109,8 +108,8 @@ SceneFlowTracker::predictAnew (const Oversegmentation& segments) const
 }
 
 /** What a solve from the window's reference tells about the next frame. */
-std::shared_ptr<SceneFlowTracker::Following>
-SceneFlowTracker::learn (const WindowSolve& solve, const Window& window) const
+std::shared_ptr<FrameTracker::Following>
+FrameTracker::learn (const WindowSolve& solve, const Window& window) const
 {
   const RgbdFrame& newest = window.frames.back();
   const bool same_reference = following_ && window.indices.front() == indices_.front();
@@ -139,7 +138,7 @@ SceneFlowTracker::learn (const WindowSolve& solve, const Window& window) const
  * is looked for as a first one. A frame that shows nothing is passed over; where others
  * are lost, the next one begins anew without a prediction. */
 void
-SceneFlowTracker::follow (Window window)
+FrameTracker::follow (Window window)
 {
   const bool anew = window.indices.front() != indices_.front();
   const std::vector<RgbdFrame> frames (window.frames.begin(), window.frames.end());
