@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include <gtest/gtest.h>
 
+#include "common/player/frame_maker.h"
 #include "stream/statistics.h"
 #include "tools/stream_tool.h"
 #include <gmock/gmock.h>
@@ -171,6 +172,34 @@ TEST (StreamStatistics, PercentileIsTheNearestRank)
   EXPECT_EQ (tool::percentile (values, 0.99), 4.0);
   EXPECT_EQ (tool::percentile (values, 0.01), 1.0);
   EXPECT_EQ (tool::percentile ({}, 0.5), 0.0);
+}
+
+/** The finest level of a frame of some width that a stream makes. */
+int
+finestLevel (int columns, bool halve_large, int given = 0)
+{
+  tool::PlayerSettings settings;
+  settings.halve_large = halve_large;
+  settings.frame.finest_level = given;
+  tool::FrameMaker maker (settings, "stream", true, [] (const std::string& line) {
+    ADD_FAILURE() << line;
+  });
+  tool::StreamFrame frame;
+  maker.make (frame, [columns] {
+    io::RgbdImages images;
+    images.depth = cv::Mat (48, columns, CV_32FC1, cv::Scalar (2));
+    images.camera = {500.0, 500.0, 0.5 * columns, 24.0};
+    return images;
+  });
+  return frame.frame.finestLevel();
+}
+
+TEST (FrameMaker, HalvesLargeFramesWhereNobodySaysHow)
+{
+  EXPECT_EQ (finestLevel (480, true), 1);
+  EXPECT_EQ (finestLevel (479, true), 0);
+  EXPECT_EQ (finestLevel (480, false), 0);
+  EXPECT_EQ (finestLevel (320, false, 2), 2);
 }
 
 } // namespace

@@ -9,6 +9,12 @@
 
 namespace pcl_msf::tool {
 
+namespace {
+
+constexpr int kLargeFrame = 480; // columns: of fewer a tracker keeps up with a camera
+
+} // namespace
+
 FrameMaker::FrameMaker (const PlayerSettings& settings,
                         std::string name,
                         bool defines_depth_unit,
@@ -42,8 +48,11 @@ FrameMaker::take (StreamFrame& frame, io::RgbdImages images)
   if (!color_unit_)
     color_unit_ = io::colorUnit ({&images});
   io::setColorUnit (images, *color_unit_);
-  frame.frame = RgbdFrame::fromImages (
-      images.color, images.depth, images.camera, settings_.frame);
+  FrameParameters parameters = settings_.frame;
+  if (settings_.halve_large && images.depth.cols >= kLargeFrame)
+    parameters.finest_level = 1;
+  frame.frame =
+      RgbdFrame::fromImages (images.color, images.depth, images.camera, parameters);
   frame.images = std::move (images);
 }
 

@@ -30,6 +30,7 @@ struct PlayerSettings : WindowSettings {
   bool every_frame{false};    ///< as fast as possible, none dropped
   int queue{1};               ///< frames that may wait
   bool dense{true};           ///< results have images
+  bool halve_large{false};    ///< frames of many pixels begin at finest level 1
 
   /** \brief Live, so that it has a rate of its own and is no folder. */
   bool

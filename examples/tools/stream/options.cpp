@@ -73,7 +73,10 @@ declareStreamOptions (CLI::App& app, StreamOptions& options)
              "frames solved jointly, 2 to 16; 0 = each follows the reference: faster",
              options.window);
   addMultiframeOptions (app, options);
-  app.final_callback ([&options] {
+  CLI::Option* finest = app.get_option ("--finest-level");
+  finest->default_str ("0, of frames followed with 480 columns or more 1");
+  app.final_callback ([&options, finest] {
+    options.halve_large = finest->count() == 0 && options.window == 0;
     checkSettings (options);
     checkWindow (options.window);
     checkSource (options, "SOURCE");

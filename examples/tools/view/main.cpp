@@ -54,6 +54,7 @@ declareOptions (CLI::App& app, ViewOptions& options)
   addRateOption (app, options)->needs (stream);
   addGrabberOption (app, options)->needs (stream);
   addReadingOptions (app, options.reading);
+  options.halve_large = true;
   app.final_callback ([&options] { checkSource (options, "FOLDER"); });
   app.footer (std::string ("Keys:\n") + ViewWindow::keys());
 }
