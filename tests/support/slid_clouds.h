@@ -41,7 +41,7 @@ patternAt (const Eigen::Vector3d& p)
 /** \brief A closed cylinder about x, a metre long and 0.3 thick.
  * \param turn of the half with x >= from about x, radians */
 inline SlidClouds
-turnedCylinder (double turn, double from = -1.0, int count = 4000)
+turnedCylinder (double turn, double from = -1.0, int count = 2000)
 {
   std::mt19937 random (5);
   const auto uniform = [&random] { return random() / 4294967296.0; };
@@ -81,7 +81,7 @@ slidWall (double slide)
   const auto uniform = [&random] { return random() / 4294967296.0; };
   const Eigen::Vector3d shift (slide, 0.5 * slide, 0.01);
   SlidClouds clouds;
-  for (int i = 0; i < 4000; ++i) {
+  for (int i = 0; i < 2000; ++i) {
     const Eigen::Vector3d p (uniform(), uniform(), 0.0);
     clouds.source.push_back (p.cast<float>());
     clouds.source_brightness.push_back (static_cast<float> (patternAt (p)));

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <memory>
 #include <set>
 
 // A recording solved in parts is what one run gives.
@@ -21,23 +22,39 @@ const std::string kTools = PCL_MSF_TOOLS;
 
 class SceneFlowShards : public ::testing::Test {
 protected:
-  SceneFlowShards()
+  static void
+  SetUpTestSuite ()
   {
-    const ToolRun made = runTool (folder_,
-                                  kTools + "/pcl_msf_synthesize " + folder_ ("seq") +
+    shared_ = std::make_unique<TemporaryFolder>();
+    const ToolRun made = runTool (*shared_,
+                                  kTools + "/pcl_msf_synthesize " + (*shared_) ("seq") +
                                       " --width 96 --height 72 --frames 6 --depth png");
-    EXPECT_EQ (made.status, 0) << made.err;
+    ASSERT_EQ (made.status, 0) << made.err;
+    ASSERT_EQ (solve (*shared_, "whole", "", "").status, 0);
+  }
+  static void
+  TearDownTestSuite ()
+  {
+    shared_.reset();
   }
 
+  static ToolRun
+  solve (const TemporaryFolder& folder,
+         const std::string& output,
+         const std::string& more,
+         const std::string& before)
+  {
+    return runTool (folder,
+                    before + kTools + "/pcl_msf_scene_flow " + (*shared_) ("seq") +
+                        " --window 2 --quiet --threads 1 --output " + folder (output) +
+                        " " + more);
+  }
   ToolRun
   run (const std::string& output,
        const std::string& more,
        const std::string& before = {}) const
   {
-    return runTool (folder_,
-                    before + kTools + "/pcl_msf_scene_flow " + folder_ ("seq") +
-                        " --window 2 --quiet --threads 1 --output " + folder_ (output) +
-                        " " + more);
+    return solve (folder_, output, more, before);
   }
   ToolRun
   merge (const std::string& output) const
@@ -46,35 +63,38 @@ protected:
         folder_, kTools + "/pcl_msf_scene_flow --merge --output " + folder_ (output));
   }
 
-  /** All files but reports, which have times, are the same, byte for byte. */
+  /** All files but reports, which have times, are those of one run, byte for byte. */
   void
-  expectSame (const std::string& output, const std::string& whole) const
+  expectWhole (const std::string& output) const
   {
-    EXPECT_EQ (names (output), names (whole));
+    const std::string whole = (*shared_) ("whole");
+    EXPECT_EQ (names (folder_ (output)), names (whole));
     for (const std::string& name : names (whole)) {
       if (name.rfind ("report", 0) == 0)
         continue;
       EXPECT_EQ (readFile (folder_ (output) + "/" + name),
-                 readFile (folder_ (whole) + "/" + name))
+                 readFile (whole + "/" + name))
           << name;
     }
   }
-  std::set<std::string>
-  names (const std::string& folder) const
+  static std::set<std::string>
+  names (const std::string& folder)
   {
     std::set<std::string> found;
-    for (const auto& entry : fs::directory_iterator (folder_ (folder)))
+    for (const auto& entry : fs::directory_iterator (folder))
       if (entry.path().filename().string().front() != '.')
         found.insert (entry.path().filename().string());
     return found;
   }
 
+  static std::unique_ptr<TemporaryFolder> shared_; ///< seq, and whole: of one run
   TemporaryFolder folder_;
 };
 
+std::unique_ptr<TemporaryFolder> SceneFlowShards::shared_;
+
 TEST_F (SceneFlowShards, MergedAreWhatOneRunGives)
 {
-  ASSERT_EQ (run ("whole", "").status, 0);
   ASSERT_EQ (run ("parts", "--shard 1/2").status, 0);
   const ToolRun early = merge ("parts");
   EXPECT_EQ (early.status, 1);
@@ -83,7 +103,7 @@ TEST_F (SceneFlowShards, MergedAreWhatOneRunGives)
   const ToolRun merged = merge ("parts");
   ASSERT_EQ (merged.status, 0) << merged.err;
   EXPECT_FALSE (fs::exists (folder_ ("parts/shards")));
-  expectSame ("parts", "whole");
+  expectWhole ("parts");
 }
 
 TEST_F (SceneFlowShards, ARestartDoesOnlyWhatIsMissing)
@@ -105,29 +125,26 @@ TEST_F (SceneFlowShards, GnuParallelRunsThem)
 {
   if (!hasProgram ("parallel"))
     GTEST_SKIP() << "GNU parallel is not here";
-  ASSERT_EQ (run ("whole", "").status, 0);
   const ToolRun r =
       run ("parts", "--shard {}/3 ::: 1 2 3", "parallel --will-cite -j2 ");
   ASSERT_EQ (r.status, 0) << r.err;
   ASSERT_EQ (merge ("parts").status, 0);
-  expectSame ("parts", "whole");
+  expectWhole ("parts");
 }
 
 TEST_F (SceneFlowShards, MpiRunsThem)
 {
   if (!hasProgram ("mpirun"))
     GTEST_SKIP() << "Open MPI is not here";
-  ASSERT_EQ (run ("whole", "").status, 0);
   const ToolRun r =
       run ("parts", "--shard auto", "mpirun --allow-run-as-root --oversubscribe -n 2 ");
   ASSERT_EQ (r.status, 0) << r.err;
   ASSERT_EQ (merge ("parts").status, 0);
-  expectSame ("parts", "whole");
+  expectWhole ("parts");
 }
 
 TEST_F (SceneFlowShards, SlurmsVariablesChooseThem)
 {
-  ASSERT_EQ (run ("whole", "").status, 0);
   for (const std::string id : {"4", "5"})
     ASSERT_EQ (run ("parts",
                     "--shard auto",
@@ -136,7 +153,7 @@ TEST_F (SceneFlowShards, SlurmsVariablesChooseThem)
                    .status,
                0);
   ASSERT_EQ (merge ("parts").status, 0);
-  expectSame ("parts", "whole");
+  expectWhole ("parts");
 }
 
 TEST_F (SceneFlowShards, WhatCannotBeMergedIsRefused)

@@ -42,7 +42,7 @@ viewAfter (int steps)
   const RigidPose step{{0.0, 0.03, 0.05, 0.01, 0.02, -0.01}};
   for (int k = 0; k < steps; ++k)
     body.root = step * body.root;
-  return cloudOf<Point> (drawChain (body, 4000, true, 61 + steps).points);
+  return cloudOf<Point> (drawChain (body, 2000, true, 61 + steps).points);
 }
 
 /** Where the corner of the body is after `steps`, and after coming back by a matrix. */
@@ -96,7 +96,7 @@ TEST (PclPipelines, MetaRegistrationMakesAMap)
     EXPECT_LT (wayFromHome (k, meta.getAbsoluteTransform()), 3e-3) << k;
   }
   const auto map = meta.getMetaCloud();
-  ASSERT_EQ (map->size(), 16000u);
+  ASSERT_EQ (map->size(), 8000u);
   BoxChain body;
   for (const Point& p : *map) { // all on the body's outside
     const Eigen::Vector3d off =

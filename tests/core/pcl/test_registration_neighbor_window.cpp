@@ -21,12 +21,14 @@ using Registration = PiecewiseRigidRegistration<pcl::PointXYZ>;
 /** Three scans of a chain that bends on, the second and third as targets. */
 class NeighborWindow : public ::testing::Test {
 protected:
+  static constexpr int kPoints = 1250;
+
   NeighborWindow()
   {
-    source = cloudOf<pcl::PointXYZ> (drawChain (bent (1), 2500, false, 1).points);
+    source = cloudOf<pcl::PointXYZ> (drawChain (bent (1), kPoints, false, 1).points);
     for (int t = 1; t <= 2; ++t)
       targets.push_back (cloudOf<pcl::PointXYZ> (
-          drawChain (bent (t), 2500, true, 1 + static_cast<unsigned> (t)).points));
+          drawChain (bent (t), kPoints, true, 1 + static_cast<unsigned> (t)).points));
     registration.setInputSource (source);
     registration.setNumberOfThreads (2);
   }
@@ -71,7 +73,7 @@ TEST_F (NeighborWindow, GivesEveryFrame)
       registration.getPose (0, 2, 0).isApprox (registration.getFinalTransformation()));
   EXPECT_TRUE ((registration.getPose (1, 2, 0) * registration.getPose (0, 1, 0))
                    .isApprox (registration.getPose (0, 2, 0), 1e-5F));
-  EXPECT_GT (registration.getCorrespondences().size(), 2000u);
+  EXPECT_GT (registration.getCorrespondences().size(), 1000u);
   EXPECT_LT (registration.getFitnessScore(), 1e-3);
 }
 
@@ -103,8 +105,7 @@ TEST_F (NeighborWindow, OneTargetIsAWindowOfTwo)
 TEST_F (NeighborWindow, TellsOfATargetThatWasNotFound)
 {
   for (auto& p : *targets[0])
-    p.getVector3fMap() =
-        0.2F * Eigen::Vector3f (std::sin (p.x * 91.0F), p.y, std::cos (p.x));
+    p.getVector3fMap() *= 0.1F; // nearly nothing
   setTargets();
   EXPECT_THAT (refusal(), HasSubstr ("target 1: "));
   EXPECT_FALSE (registration.getSceneFlow (1).report.converged);
@@ -131,10 +132,10 @@ TEST_F (NeighborWindow, SaysWhatItCannotTake)
   EXPECT_THAT (::testing::internal::GetCapturedStderr(), HasSubstr ("getJoints"));
   // A grid in one of the targets: which way is meant is not clear.
   targets[1]->width = 50;
-  targets[1]->height = 50;
+  targets[1]->height = kPoints / 50;
   const auto organized = pcl::make_shared<Cloud> (*source);
   organized->width = 50;
-  organized->height = 50;
+  organized->height = kPoints / 50;
   registration.setInputSource (organized);
   setTargets();
   EXPECT_THAT (refusal(), HasSubstr ("not organized"));

@@ -61,8 +61,8 @@ truePairs (const Points& truth, const Points& target, std::size_t step, double w
 class CloudConstraintsTest : public ::testing::Test {
 protected:
   BoxChain chain;
-  ChainCloud source = drawChain (chain, 4000, false, 21);
-  ChainCloud target = drawChain (chain, 4000, true, 22);
+  ChainCloud source = drawChain (chain, 2000, false, 21);
+  ChainCloud target = drawChain (chain, 2000, true, 22);
   Points truth = truthOf (chain, source);
 };
 
@@ -184,14 +184,14 @@ TEST (CloudConstraints, PairsTellApartWhatIsAlike)
   BoxChain box;
   box.boxes = 1;
   box.root = RigidPose{{0.0, 0.0, 3.0, 0.3, 0.02, 0.01}};
-  const ChainCloud source = drawChain (box, 3000, false, 31);
-  const ChainCloud target = drawChain (box, 3000, true, 32);
+  const ChainCloud source = drawChain (box, 1500, false, 31);
+  const ChainCloud target = drawChain (box, 1500, true, 32);
   const Points truth = truthOf (box, source);
   const CloudFlow alike =
       CloudFlowEstimator (solverOf (true)).estimate (source.points, target.points);
   EXPECT_GT (meanError (alike, truth), 0.1);
   CloudConstraints constraints;
-  constraints.pairs = truePairs (truth, target.points, 700, 1.0); // five
+  constraints.pairs = truePairs (truth, target.points, 350, 1.0); // five
   const CloudFlow flow = CloudFlowEstimator (solverOf (true), constraints)
                              .estimate (source.points, target.points);
   EXPECT_TRUE (flow.report.converged) << flow.report.message;
@@ -225,7 +225,7 @@ TEST_F (CloudConstraintsTest, HardPairsAreKept)
   CloudConstraints constraints;
   const Eigen::Vector3f off (0.0F, 0.0F, 0.02F);
   Points more = target.points;
-  for (std::size_t i = 0; i < source.box.size(); i += 97)
+  for (std::size_t i = 0; i < source.box.size(); i += 49)
     if (source.box[i] == 1) {
       constraints.pairs.push_back (
           {static_cast<int> (i), static_cast<int> (more.size()), 1e6});
@@ -247,8 +247,8 @@ TEST (CloudConstraints, PointsWithoutWeightOnlyFollow)
 {
   BoxChain box;
   box.boxes = 1;
-  const ChainCloud source = drawChain (box, 3000, false, 33);
-  const ChainCloud target = drawChain (box, 3000, true, 34);
+  const ChainCloud source = drawChain (box, 1500, false, 33);
+  const ChainCloud target = drawChain (box, 1500, true, 34);
   Points wrong = source.points; // most of them
   Points truth = truthOf (box, source);
   CloudConstraints constraints;
@@ -272,7 +272,7 @@ TEST (CloudConstraints, PointsWithoutWeightOnlyFollow)
 TEST_F (CloudConstraintsTest, AllOfThemGiveTheSameBitsForAnyNumberOfThreads)
 {
   CloudConstraints constraints;
-  constraints.pairs = truePairs (truth, target.points, 500, 1.0);
+  constraints.pairs = truePairs (truth, target.points, 250, 1.0);
   constraints.point_weights.assign (source.points.size(), 0.5F);
   constraints.fixed_segments = {0};
   constraints.guesses = {{0, chain.pose (0)}};
@@ -300,9 +300,9 @@ TEST_F (CloudConstraintsTest, SaysWhatItCannotTake)
   };
   const double nan = std::nan ("");
   EXPECT_THAT (message ({}, {1, 2, 3}), HasSubstr ("3 labels"));
-  EXPECT_THAT (message ({}, std::vector<int> (4000, -1)), HasSubstr ("in a segment"));
-  EXPECT_THAT (message ({{{4000, 0}}, {}, {}, {}}, {}), HasSubstr ("index 4000"));
-  EXPECT_THAT (message ({{{0, 4000}}, {}, {}, {}}, {}), HasSubstr ("the target only"));
+  EXPECT_THAT (message ({}, std::vector<int> (2000, -1)), HasSubstr ("in a segment"));
+  EXPECT_THAT (message ({{{2000, 0}}, {}, {}, {}}, {}), HasSubstr ("index 2000"));
+  EXPECT_THAT (message ({{{0, 2000}}, {}, {}, {}}, {}), HasSubstr ("the target only"));
   EXPECT_THAT (message ({{{-1, 0}}, {}, {}, {}}, {}), HasSubstr (">= 0"));
   EXPECT_THAT (message ({{{0, 0, nan}}, {}, {}, {}}, {}), HasSubstr ("(0, 1e9]"));
   EXPECT_THAT (message ({{}, {1.0F}, {}, {}}, {}), HasSubstr ("1 weights"));

@@ -37,7 +37,7 @@ errorsOf (double angle, int targets, const std::vector<unsigned>& seeds)
     options.body = synthetic::BodyKind::Chain;
     options.angle = angle;
     options.noise = 0.001;
-    options.points = 3000;
+    options.points = 1500;
     options.seed = seed;
     const std::vector<BodyClouds> sequence =
         synthetic::synthesizeBodySequence (options, targets);
