@@ -71,9 +71,11 @@ constexpr const char* kSummary =
     "with\n"
     "the joints' axes; of several targets --frame K chooses the K-th. FOLDER holds "
     "frames,\n"
-    "as pcl_msf_scene_flow takes them; their scene flow is computed first, with the default parameters. Without\n"
-    "a display an Xvfb is started. Exit status: 0 = written, 3 = written, but a scene\n"
-    "flow that was computed has not converged, else an error.";
+    "as pcl_msf_scene_flow takes them; their scene flow is computed first, with the\n"
+    "default parameters. Without a display an Xvfb is started. Exit status: 0 = "
+    "written,\n"
+    "3 = written, but a scene flow that was computed has not converged, else an "
+    "error.";
 
 /** \brief Adds the options to a command line, which checks them when it is read; it
  * throws UsageError then. */
