@@ -252,7 +252,7 @@ TEST (RegisterTool, RefusesInOneLine)
         few + " " + few,          // no output
         few + " " + few + output, // too few points
         few + " " + folder ("none.ply") + output,
-        few + " " + few + " " + few + output, // a word too many
+        few + " " + few + " " + few + output, // several targets
         few + " " + few + output + " --threads x",
         few + " " + few + output + " --tuning points.luck=1",
         few + " " + few + output + " --tuning points.match.isotropy=2",

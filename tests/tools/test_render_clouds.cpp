@@ -93,6 +93,22 @@ TEST_F (RenderClouds, BothCloudsPartsAndThePage)
   EXPECT_THAT (page, HasSubstr ("joints"));
 }
 
+TEST_F (RenderClouds, OneOfSeveralTargets)
+{
+  const std::string target = " " + folder_ ("target.ply");
+  ASSERT_EQ (run ("register",
+                  folder_ ("source.ply") + target + target + " --quiet --output " +
+                      folder_ ("several"))
+                 .status,
+             0);
+  const ToolRun drawn =
+      run ("render",
+           folder_ ("several") + " --frame 2 --sequence" + target +
+               " --kind after_tints --size 160x120 --output " + folder_ ("drawn"));
+  EXPECT_EQ (drawn.status, 0) << drawn.err;
+  EXPECT_TRUE (std::filesystem::exists (folder_ ("drawn/after_tints.png")));
+}
+
 TEST_F (RenderClouds, SaysWhatItLacks)
 {
   const std::string out = " --output " + folder_ ("out");

@@ -53,13 +53,16 @@ std::vector<KnownPair>
 readPairs (const std::string& path)
 {
   std::vector<KnownPair> pairs;
-  const char* const form = "SOURCE TARGET [WEIGHT]";
+  const char* const form = "SOURCE TARGET [WEIGHT [K]]";
   readLines (path, form, [&pairs] (const std::vector<std::string>& words) {
     KnownPair pair;
-    const bool good = (words.size() == 2 || words.size() == 3) &&
-                      parseNumber (words[0], pair.source) &&
-                      parseNumber (words[1], pair.target) &&
-                      (words.size() == 2 || parseNumber (words[2], pair.weight));
+    int number = 1; // of the target
+    const bool good =
+        words.size() >= 2 && words.size() <= 4 && parseNumber (words[0], pair.source) &&
+        parseNumber (words[1], pair.target) &&
+        (words.size() < 3 || parseNumber (words[2], pair.weight)) &&
+        (words.size() < 4 || parseNumber (words[3], number)) && number >= 1;
+    pair.cloud = number - 1;
     pairs.push_back (pair);
     return good;
   });

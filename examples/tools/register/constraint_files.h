@@ -13,8 +13,8 @@ namespace pcl_msf::tool {
 std::vector<int>
 readLabels (const std::string& path);
 
-/** \brief "source target", indices, or "source target weight" a line; what follows a #
- * is a remark. \throws IoError */
+/** \brief "source target", indices, "source target weight" or "source target weight k",
+ * of the k-th target from 1, a line; what follows a # is a remark. \throws IoError */
 std::vector<KnownPair>
 readPairs (const std::string& path);
 

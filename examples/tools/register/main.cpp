@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-// Registers two clouds without a grid: files in, files out.
-#include <pcl/console/print.h>
-
+// Registers clouds without a grid: files in, files out.
 #include "common/command_line.h"
 #include "common/input_files.h"
 #include "common/interruption.h"
@@ -11,16 +9,17 @@
 #include "common/tool_main.h"
 #include "common/tuning_options.h"
 #include "register/constraint_files.h"
+#include "register/results.h"
 #include <CLI/App.hpp>
 #include <pcl_msf/cloud_flow_estimator.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/io/point_files.h>
-#include <pcl_msf/io/text_files.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -29,9 +28,10 @@ using namespace pcl_msf::tool;
 
 constexpr const char* kProgram = "pcl_msf_register";
 constexpr const char* kSummary =
-    "Registers an articulated or deforming body given as two clouds of points without "
-    "a\n"
+    "Registers an articulated or deforming body given as clouds of points without a\n"
     "grid: its parts, their motions and joints, and where every point has gone. "
+    "Several\n"
+    "targets, in the order of time, are registered jointly and have the same parts. "
     "Lengths\n"
     "are in the unit of the files. Exit status: 0 = written and found, 3 = written "
     "but\n"
@@ -39,14 +39,15 @@ constexpr const char* kSummary =
 constexpr int kNotFound = 3; // exit status; everything was written
 
 struct RegisterOptions {
-  std::string source;
-  std::string target;
-  std::string output;   ///< folder
-  std::string segments; ///< file
-  std::string pairs;    ///< file
+  std::string source;               ///< file
+  std::vector<std::string> targets; ///< files
+  std::string output;               ///< folder
+  std::string segments;             ///< file
+  std::string pairs;                ///< file
   bool quiet{false};
   double brightness_weight{1.0};
   SolverParameters solver;
+  MultiframeParameters multiframe;
 };
 
 void
@@ -55,30 +56,40 @@ declareOptions (CLI::App& app, RegisterOptions& o)
   addText (
       app, "SOURCE", "FILE", "a .pcd, .ply or .obj; its points are followed", o.source)
       ->required();
-  addText (app, "TARGET", "FILE", "a .pcd, .ply or .obj", o.target)->required();
-  addText (app,
-           "--output",
-           "DIR",
-           "folder for warped.ply, registered.pcd, parts.txt, joints.json, report.json",
-           o.output)
+  addTexts (
+      app, "TARGET", "FILE", "another one, or several in the order of time", o.targets)
+      ->required();
+  addText (
+      app,
+      "--output",
+      "DIR",
+      "folder for warped.ply, registered.pcd, parts.txt, joints.json, report.json; "
+      "of several targets warped_0_1.ply, warped_0_2.ply and so on",
+      o.output)
       ->required();
   addText (app,
            "--segments",
            "FILE",
            "a label per source point a line, negative = none: own segments, each rigid",
            o.segments);
-  addText (app,
-           "--pairs",
-           "FILE",
-           "known pairs, \"SOURCE TARGET [WEIGHT]\" a line: indices from 0; weight 1 = "
-           "right to about a point's distance, 1e6 = hard",
-           o.pairs);
+  addText (
+      app,
+      "--pairs",
+      "FILE",
+      "known pairs, \"SOURCE TARGET [WEIGHT [K]]\" a line: indices from 0; weight 1 = "
+      "right to about a point's distance, 1e6 = hard; of the K-th target, from 1",
+      o.pairs);
   addNumber (app,
              "--brightness-weight",
              "W",
              "of colours beside shapes where both files have some, 0 to 1000; 0 = "
              "shapes alone",
              o.brightness_weight);
+  addNumber (app,
+             "--concatenation-weight",
+             "W",
+             "of several targets, lambda of Eq. 14",
+             o.multiframe.concatenation_weight);
   addNumber (app, "--threads", "N", "0 = all", o.solver.threads);
   addNumber (app, "--max-seconds", "S", "time budget, 0 = none", o.solver.max_seconds);
   addSwitch (
@@ -89,67 +100,16 @@ declareOptions (CLI::App& app, RegisterOptions& o)
     if (!(o.brightness_weight >= 0.0 && o.brightness_weight <= 1000.0))
       throw UsageError ("--brightness-weight must be 0 to 1000");
     std::string why;
-    if (o.solver.isValid (&why))
+    if (o.solver.isValid (&why) && o.multiframe.isValid (&why))
       return;
     std::replace (why.begin(), why.end(), '_', '-');
     throw UsageError ("--" + why);
   });
 }
 
-bool
-isResultName (const std::string& name)
-{
-  static const std::array<const char*, 5> names{
-      "warped.ply", "registered.pcd", "parts.txt", "joints.json", "report.json"};
-  return std::find (names.begin(), names.end(), name) != names.end();
-}
-
-std::string
-partsText (const CloudFlow& flow)
-{
-  std::string text;
-  for (const int part : flow.part)
-    text += std::to_string (part) + "\n";
-  return text;
-}
-
-void
-writeResults (const std::string& folder,
-              const CloudFlow& flow,
-              const io::PointFile& source,
-              double load_seconds,
-              double total_seconds)
-{
-  io::writePointsPly (folder + "/warped.ply", flow.warped);
-  io::writeRegisteredCloud (folder + "/registered.pcd", flow, source);
-  io::writeText (folder + "/parts.txt", partsText (flow));
-  io::writeJoints (folder + "/joints.json", flow);
-  io::writeCloudReport (folder + "/report.json", flow, load_seconds, total_seconds);
-}
-
-void
-printSummary (const CloudFlow& flow, double seconds, const std::string& folder)
-{
-  using namespace pcl::console;
-  setVerbosityLevel (L_INFO);
-  print_highlight ("%zu points, %zu parts, %zu joints, %.0f %% and %.0f %% of the "
-                   "clouds found on each other\n",
-                   flow.warped.size(),
-                   flow.parts.size(),
-                   flow.joints.size(),
-                   100.0 * flow.explained_source,
-                   100.0 * flow.explained_target);
-  print_info ("[done, ");
-  print_value ("%.1f", 1000.0 * seconds);
-  print_info (" ms; written to ");
-  print_value ("%s", folder.c_str());
-  print_info ("]\n");
-}
-
-CloudFlow
-estimate (const RegisterOptions& options,
-          const io::PointFile& source,
-          const io::PointFile& target)
+/** \return per target; \param clouds the source, then the targets */
+std::vector<CloudFlow>
+estimate (const RegisterOptions& options, const std::vector<io::PointFile>& clouds)
 {
   ProgressLine line (!options.quiet);
   line.stage ("surfaces");
@@ -165,14 +125,14 @@ estimate (const RegisterOptions& options,
   std::vector<int> segments;
   if (!options.segments.empty())
     segments = readLabels (options.segments);
-  CloudBrightness brightness;
-  brightness.weight = options.brightness_weight;
-  if (!source.colors.empty() && !target.colors.empty()) {
-    brightness.source = io::brightnessOf (source);
-    brightness.target = io::brightnessOf (target);
-  }
-  return CloudFlowEstimator (solver, constraints)
-      .estimate (source.points, target.points, {}, segments, brightness);
+  std::vector<CloudFrame> frames;
+  for (const io::PointFile& cloud : clouds)
+    frames.push_back ({cloud.points, io::brightnessOf (cloud)});
+  std::vector<CloudFlow> flows =
+      CloudFlowEstimator (solver, constraints, options.multiframe)
+          .estimateWindow (frames, 0, {}, segments, options.brightness_weight);
+  flows.erase (flows.begin()); // the source's own
+  return flows;
 }
 
 double
@@ -187,27 +147,33 @@ run (const RegisterOptions& options)
 {
   const auto begin = std::chrono::steady_clock::now();
   InputFiles files;
-  files.add (options.source);
-  files.add (options.target);
   files.add (options.segments);
   files.add (options.pairs);
-  const io::PointFile source = io::readPoints (options.source);
-  const io::PointFile target = io::readPoints (options.target);
-  const double load = secondsSince (begin);
+  std::vector<std::string> names = options.targets;
+  names.insert (names.begin(), options.source);
+  for (const std::string& name : names)
+    files.add (name);
+  std::vector<io::PointFile> clouds;
+  for (const std::string& name : names)
+    clouds.push_back (io::readPoints (name));
+  RegisterResults results;
+  results.load_seconds = secondsSince (begin);
   OutputFolder folder (options.output, kProgram);
   folder.check (files, isResultName);
-  const CloudFlow flow = estimate (options, source, target);
-  const double total = secondsSince (begin);
-  writeResults (folder.stage(), flow, source, load, total);
+  results.flows = estimate (options, clouds);
+  results.source = std::move (clouds.front());
+  results.total_seconds = secondsSince (begin);
+  writeResults (results, folder.stage());
   folder.publish();
   folder.finish();
   if (!options.quiet)
-    printSummary (flow, total, options.output);
-  if (!flow.report.converged)
+    printSummary (results, options.output);
+  const Report& report = results.verdict().report;
+  if (!report.converged)
     complain (kProgram,
-              std::string ("warning: not converged (") +
-                  toString (flow.report.stop_reason) + "): " + flow.report.message);
-  return flow.report.converged ? 0 : kNotFound;
+              std::string ("warning: not converged (") + toString (report.stop_reason) +
+                  "): " + report.message);
+  return report.converged ? 0 : kNotFound;
 }
 
 } // namespace

@@ -24,22 +24,37 @@ namespace {
 using namespace visualization;
 namespace fs = std::filesystem;
 
-constexpr const char* kRegistered = "registered.pcd";
 constexpr double kOverlap = 1.7; // of points: hides most gaps
 constexpr double kLargest = 9.0; // pixels, of a point
 constexpr int kSheetColumns = 2;
+
+/** How the names of a target's files end: of several that of --frame. */
+std::string
+endingOf (const RenderOptions& options)
+{
+  const bool one = fs::exists (fs::path (options.input) / "registered.pcd");
+  return one ? "" : "_0_" + std::to_string (options.frame.value_or (1));
+}
+
+fs::path
+registeredFile (const RenderOptions& options)
+{
+  return fs::path (options.input) / ("registered" + endingOf (options) + ".pcd");
+}
 
 CloudResult
 load (const RenderOptions& options)
 {
   const fs::path folder = options.input;
-  io::RegisteredCloud cloud = io::readRegisteredCloud ((folder / kRegistered).string());
+  io::RegisteredCloud cloud =
+      io::readRegisteredCloud (registeredFile (options).string());
   CloudResult result;
   result.source = std::move (cloud.source);
   result.warped = std::move (cloud.warped);
   result.part = std::move (cloud.part);
-  if (fs::exists (folder / "joints.json"))
-    result.joints = io::readJoints ((folder / "joints.json").string());
+  const fs::path joints = folder / ("joints" + endingOf (options) + ".json");
+  if (fs::exists (joints))
+    result.joints = io::readJoints (joints.string());
   if (!options.sequence.empty())
     result.target = io::readPoints (options.sequence).points;
   return result;
@@ -105,7 +120,7 @@ checkOptions (const RenderOptions& options)
 bool
 isCloudResult (const RenderOptions& options)
 {
-  return fs::exists (fs::path (options.input) / kRegistered);
+  return fs::exists (registeredFile (options));
 }
 
 int

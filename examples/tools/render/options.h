@@ -69,10 +69,13 @@ constexpr const char* kSummary =
     "current frame need --sequence. A folder of pcl_msf_register gives before_tints,\n"
     "after_tints (with --sequence TARGET, the target's file), warped, and motions "
     "with\n"
-    "the joints' axes. FOLDER holds frames, as pcl_msf_scene_flow takes\n"
-    "them; their scene flow is computed first, with the default parameters. Without\n"
-    "a display an Xvfb is started. Exit status: 0 = written, 3 = written, but a scene\n"
-    "flow that was computed has not converged, else an error.";
+    "the joints' axes; of several targets --frame K chooses the K-th. FOLDER holds "
+    "frames,\n"
+    "as pcl_msf_scene_flow takes them; their scene flow is computed first, with the\n"
+    "default parameters. Without a display an Xvfb is started. Exit status: 0 = "
+    "written,\n"
+    "3 = written, but a scene flow that was computed has not converged, else an "
+    "error.";
 
 /** \brief Adds the options to a command line, which checks them when it is read; it
  * throws UsageError then. */

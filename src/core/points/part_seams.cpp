@@ -7,9 +7,8 @@
 namespace pcl_msf {
 
 void
-holdSeams (const std::vector<SurfaceSeam>& seams,
+holdSeams (const BodySeams& bodies,
            const std::vector<RigidPose>& poses,
-           const std::vector<char>& rigid,
            const PointPartTuning& tuning,
            std::vector<RigidMoments>& moments)
 {
@@ -18,18 +17,18 @@ holdSeams (const std::vector<SurfaceSeam>& seams,
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen (pulled[part].hold());
     if (eigen.eigenvalues()[0] > tuning.free * eigen.eigenvalues().sum())
       return;
+    const Eigen::Vector3d free = eigen.eigenvectors().col (0);
+    const Eigen::Vector3d along = poses[part].rotation().transpose() * free;
+    const Eigen::Vector3d center =
+        sectionCenter (bodies.surface, bodies.whole, part, seam, along);
     PointPull pull;
-    pull.add (poses[other] * seam.center,
-              eigen.eigenvectors().col (0),
-              tuning.seam * seam.edges,
-              0.0);
-    moments[part].add (seam.center, pull, 1.0);
+    pull.add (poses[other] * center, free, tuning.seam * seam.edges, 0.0);
+    moments[part].add (center, pull, 1.0);
   };
-  for (const SurfaceSeam& seam : seams)
-    if (rigid[seam.first] && rigid[seam.second]) {
-      hold (seam.first, seam.second, seam);
-      hold (seam.second, seam.first, seam);
-    }
+  for (const SurfaceSeam& seam : bodies.seams) {
+    hold (seam.first, seam.second, seam);
+    hold (seam.second, seam.first, seam);
+  }
 }
 
 } // namespace pcl_msf

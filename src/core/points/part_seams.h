@@ -3,21 +3,35 @@
 #pragma once
 
 #include "core/base/tuning/point_tuning.h"
+#include "core/points/limb_sections.h"
 #include "core/points/rigid_moments.h"
-#include "core/surface/surface_segments.h"
 
 #include <vector>
 
 namespace pcl_msf {
 
+/** \brief Where bodies touch. */
+struct BodySeams {
+  const Surface& surface;
+  std::vector<int> whole; ///< per point the body it goes with
+  std::vector<SurfaceSeam> seams;
+
+  /** \param part per point \param body per part: is it one? */
+  BodySeams (const Surface& of,
+             const std::vector<int>& part,
+             const std::vector<char>& body)
+  : surface (of), seams (bodySeams (of, part, body, whole))
+  {}
+};
+
 /** \brief A body that is free along a direction is held there by those that it touches:
- * the sides of a limb without an end do not tell how far along it has moved.
- * \param poses, rigid per part
+ * the sides of a limb without an end do not tell how far along it has moved. Limbs turn
+ * about their middle.
+ * \param poses per part
  * \param[in,out] moments per part: of its pulls, with what holds it after */
 void
-holdSeams (const std::vector<SurfaceSeam>& seams,
+holdSeams (const BodySeams& bodies,
            const std::vector<RigidPose>& poses,
-           const std::vector<char>& rigid,
            const PointPartTuning& tuning,
            std::vector<RigidMoments>& moments);
 

@@ -2,7 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/points/part_view.h"
 
-#include "core/points/part_seams.h"
 #include "core/points/residual_scale.h"
 
 #include <algorithm>
@@ -86,13 +85,13 @@ PartView::followParts (const PartLabels& labels)
 }
 
 void
-PartView::polish (const PartLabels& labels, const std::vector<SurfaceSeam>& seams)
+PartView::polish (const PartLabels& labels, const BodySeams& seams)
 {
   MatchRules own = rules (spacing_);
   own.plane = tuning_.outlying * std::sqrt (variance_);
   moments_ = momentsOf (
       labels.part, target_.pulls (moved(), own, threads_), part_poses_.size());
-  holdSeams (seams, part_poses_, labels.rigid, tuning_, moments_);
+  holdSeams (seams, part_poses_, tuning_, moments_);
   for (std::size_t p = 0; p < part_poses_.size(); ++p)
     if (labels.free[p])
       part_poses_[p] = moments_[p].solve (part_poses_[p]);
@@ -117,8 +116,7 @@ PartView::partDistances (const PartLabels& labels)
 }
 
 void
-PartView::polishWithCare (const PartLabels& labels,
-                          const std::vector<SurfaceSeam>& seams)
+PartView::polishWithCare (const PartLabels& labels, const BodySeams& seams)
 {
   if (least_.empty())
     least_ = partDistances (labels);

@@ -4,6 +4,7 @@
 
 #include "core/points/part_borders.h"
 #include "core/points/part_merging.h"
+#include "core/points/part_seams.h"
 #include "core/points/point_frame.h"
 #include "core/points/rigid_moments.h"
 
@@ -61,12 +62,12 @@ public:
 
   /** \brief Fits the free parts' motions to the target once more. */
   void
-  polish (const PartLabels& labels, const std::vector<SurfaceSeam>& seams);
+  polish (const PartLabels& labels, const BodySeams& seams);
 
   /** \brief The same, but motions that lead away from the target are taken back: parts
    * that are held by each other's seams may draw each other away. */
   void
-  polishWithCare (const PartLabels& labels, const std::vector<SurfaceSeam>& seams);
+  polishWithCare (const PartLabels& labels, const BodySeams& seams);
   /** \brief Before points change parts. */
   void
   forgetDistances ()

@@ -5,6 +5,7 @@
 #include "core/base/number_text.h"
 #include "core/base/parallel_for.h"
 #include "core/points/cloud_joints.h"
+#include "core/points/limb_sections.h"
 #include "core/points/loose_ends.h"
 #include "core/points/rigid_parts.h"
 
@@ -55,12 +56,12 @@ addJoints (const PointClouds& clouds,
            double least_share,
            CloudFlow& flow)
 {
-  const auto large = [&] (int p) {
-    return parts.sizes[p] >= least_share * clouds.source.surface.size();
-  };
-  for (const SurfaceSeam& seam : seamsBetween (clouds.source.surface, parts.part)) {
-    if (!large (seam.first) || !large (seam.second))
-      continue;
+  std::vector<char> large;
+  for (const int size : parts.sizes)
+    large.push_back (size >= least_share * clouds.source.surface.size());
+  std::vector<int> whole;
+  for (const SurfaceSeam& seam :
+       bodySeams (clouds.source.surface, parts.part, large, whole)) {
     CloudJoint joint = jointBetween (flow.parts[seam.first],
                                      flow.parts[seam.second],
                                      clouds.size * seam.center + clouds.center);

@@ -135,7 +135,7 @@ private:
   void
   polish ()
   {
-    const std::vector<SurfaceSeam> seams = seamsBetween (source_, labels_.part);
+    const BodySeams seams (source_, labels_.part, labels_.rigid);
     if (views_.size() == 1)
       return views_[0].polish (labels_, seams);
     for (PartView& view : views_)
