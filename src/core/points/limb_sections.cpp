@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace pcl_msf {
@@ -117,9 +118,12 @@ bodySeams (const Surface& surface,
         }
     front = std::move (next);
   }
+  std::set<std::pair<int, int>> touching;
+  for (const SurfaceSeam& seam : seamsBetween (surface, part))
+    touching.emplace (seam.first, seam.second);
   std::vector<SurfaceSeam> seams;
   for (const SurfaceSeam& seam : seamsBetween (surface, whole))
-    if (seam.first >= 0)
+    if (touching.count ({seam.first, seam.second}) > 0)
       seams.push_back (seam);
   return seams;
 }

@@ -6,6 +6,7 @@
 #include "core/points/limb_sections.h"
 #include "core/points/rigid_moments.h"
 
+#include <utility>
 #include <vector>
 
 namespace pcl_msf {
@@ -15,14 +16,18 @@ struct BodySeams {
   const Surface& surface;
   std::vector<int> whole; ///< per point the body it goes with
   std::vector<SurfaceSeam> seams;
-
-  /** \param part per point \param body per part: is it one? */
-  BodySeams (const Surface& of,
-             const std::vector<int>& part,
-             const std::vector<char>& body)
-  : surface (of), seams (bodySeams (of, part, body, whole))
-  {}
 };
+
+/** \param part per point \param body per part: is it one? */
+inline BodySeams
+seamsOfBodies (const Surface& surface,
+               const std::vector<int>& part,
+               const std::vector<char>& body)
+{
+  std::vector<int> whole;
+  std::vector<SurfaceSeam> seams = bodySeams (surface, part, body, whole);
+  return {surface, std::move (whole), std::move (seams)};
+}
 
 /** \brief A body that is free along a direction is held there by those that it touches:
  * the sides of a limb without an end do not tell how far along it has moved. Limbs turn

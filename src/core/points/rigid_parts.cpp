@@ -135,7 +135,7 @@ private:
   void
   polish ()
   {
-    const BodySeams seams (source_, labels_.part, labels_.rigid);
+    const BodySeams seams = seamsOfBodies (source_, labels_.part, labels_.rigid);
     if (views_.size() == 1)
       return views_[0].polish (labels_, seams);
     for (PartView& view : views_)
