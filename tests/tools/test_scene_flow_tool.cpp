@@ -307,8 +307,9 @@ TEST_F (SceneFlowTool, EndsCleanlyOnASignal)
 
 TEST_F (SceneFlowTool, GivesEveryPixelsFlowAtACoarserFinestLevel)
 {
+  scene_.writeImages (folder_);
   expectRefusal (imageArguments() + " --finest-level 9 --output " + folder_ ("out"),
-                 "finest_level must be in [0, 4]");
+                 "--finest-level must be in [0, 4]");
   const ToolRun done =
       run (imageArguments() + " --finest-level 1 --output " + folder_ ("out"));
   ASSERT_EQ (done.status, 0) << done.err;

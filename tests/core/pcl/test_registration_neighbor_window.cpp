@@ -105,7 +105,8 @@ TEST_F (NeighborWindow, OneTargetIsAWindowOfTwo)
 TEST_F (NeighborWindow, TellsOfATargetThatWasNotFound)
 {
   for (auto& p : *targets[0])
-    p.getVector3fMap() *= 0.1F; // nearly nothing
+    p.getVector3fMap() =
+        0.2F * Eigen::Vector3f (std::sin (p.x * 91.0F), p.y, std::cos (p.x));
   setTargets();
   EXPECT_THAT (refusal(), HasSubstr ("target 1: "));
   EXPECT_FALSE (registration.getSceneFlow (1).report.converged);
