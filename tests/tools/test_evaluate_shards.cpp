@@ -113,7 +113,11 @@ TEST (Methods, UnknownOnesAndSettingsAreRefused)
   EXPECT_THAT (messageOf<UsageError> ([] { makeMethod ("msf:segment-size=1", 1); }),
                HasSubstr ("segment_size"));
   EXPECT_THROW (makeMethod ("msf:output=x", 1), UsageError);
+  EXPECT_THAT (
+      messageOf<UsageError> ([] { makeMethod ("msf:finest-level=1:start=true", 1); }),
+      HasSubstr ("give finest-level=0"));
   EXPECT_NO_THROW (makeMethod ("msf:loss=l1:neighbors=4:labels=cut:start=true", 1));
+  EXPECT_NO_THROW (makeMethod ("msf:finest-level=1:labels=cut", 1));
 }
 
 } // namespace

@@ -222,6 +222,18 @@ TEST_F (EvaluateTool, TrueLabelsAndStartTellStagesApart)
              file.rows[2].score.epe_visible);
 }
 
+TEST_F (EvaluateTool, TrueCutsFollowTheFinestLevel)
+{
+  const ToolRun r =
+      run (kTiny + "--motion large --sensor none --quiet --csv " + folder_ ("a.csv") +
+           " --methods msf:finest-level=1,msf:finest-level=1:labels=cut,zero");
+  ASSERT_EQ (r.status, 0) << r.err;
+  const ResultFile file = readResults (folder_ ("a.csv"));
+  ASSERT_EQ (file.rows.size(), 6u);
+  EXPECT_GE (file.rows[1].score.segments, file.rows[0].score.segments);
+  EXPECT_LT (file.rows[1].score.epe_visible, 0.25 * file.rows[2].score.epe_visible);
+}
+
 TEST_F (EvaluateTool, PathsPairsAndAblation)
 {
   const ToolRun r =

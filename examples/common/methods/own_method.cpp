@@ -15,9 +15,10 @@ namespace pcl_msf::tool {
 
 namespace {
 
-/** Every combination of a segment and a true body becomes a segment. */
+/** Every combination of a segment and a true body becomes a segment.
+ * \param level of the segments; the bodies are of the input */
 cv::Mat
-cutAlong (const cv::Mat& segments, const cv::Mat& bodies)
+cutAlong (const cv::Mat& segments, const cv::Mat& bodies, int level)
 {
   double most = 0.0;
   cv::minMaxLoc (bodies, nullptr, &most);
@@ -27,7 +28,8 @@ cutAlong (const cv::Mat& segments, const cv::Mat& bodies)
     for (int x = 0; x < result.cols; ++x) {
       int& label = result.at<int> (y, x);
       if (label >= 0)
-        label = label * count + std::max (-1, bodies.at<int> (y, x)) + 1;
+        label =
+            label * count + std::max (-1, bodies.at<int> (y << level, x << level)) + 1;
     }
   return result;
 }
@@ -78,6 +80,9 @@ OwnMethod::OwnMethod (const std::string& settings, unsigned threads)
   requireValid (settings_.segmentation, settings);
   requireValid (settings_.energy, settings);
   requireValid (settings_.solver, settings);
+  if (start_ == StartSource::Truth && settings_.frame.finest_level > 0)
+    throw UsageError ("--methods: msf:" + settings +
+                      ": the true start is told pixel by pixel; give finest-level=0");
 }
 
 void
@@ -119,8 +124,8 @@ OwnMethod::segment (const PairData& pair, const RgbdFrame& frame) const
       frame, settings_.segmentation, settings_.solver.threads);
   if (labels_ == LabelSource::Method)
     return own;
-  return Oversegmentation::fromLabels (cutAlong (own.labels(), pair.truth.labels),
-                                       frame);
+  return Oversegmentation::fromLabels (
+      cutAlong (own.labels(), pair.truth.labels, frame.finestLevel()), frame);
 }
 
 SceneFlow
