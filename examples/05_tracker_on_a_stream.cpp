@@ -12,6 +12,9 @@ int
 main ()
 {
   pcl_msf::PiecewiseRigidTracker<pcl::PointXYZRGBA> tracker;
+  pcl_msf::FrameParameters frames;
+  frames.finest_level = 1; // solved at half the clouds' size: three times as fast
+  tracker.setFrameParameters (frames);
 
   // A sensor's thread fills the queue and is never kept waiting: its callback calls
   // queue.push (cloud), which drops the oldest cloud when the tracker is slower.
