@@ -327,28 +327,4 @@ TEST (RegistrationTypes, NormalsInThePointsChangeNothing)
   EXPECT_GT (largestDifference (plain, grey), 0.0);
 }
 
-TEST_F (RegistrationTest, RegistersAtACoarserFinestLevel)
-{
-  FrameParameters half;
-  half.finest_level = 1;
-  registration_->setFrameParameters (half);
-  registration_->align (warped_);
-  EXPECT_TRUE (registration_->hasConverged());
-  ASSERT_EQ (warped_.width, reference_->width);
-  ASSERT_EQ (warped_.height, reference_->height);
-  EXPECT_LT (largestError (registration_->getFinalTransformation(), *reference_), 0.01);
-  double sum = 0.0;
-  int known = 0;
-  for (std::size_t i = 0; i < warped_.size(); ++i) {
-    const Eigen::Vector3d p = reference_->points[i].getVector3fMap().cast<double>();
-    const Eigen::Vector3d q = warped_[i].getVector3fMap().cast<double>();
-    if (!q.allFinite())
-      continue;
-    sum += (RigidPair::motion() * p - q).norm();
-    ++known;
-  }
-  EXPECT_GT (known, 0.95 * kWidth * kHeight);
-  EXPECT_LT (sum / known, 0.003);
-}
-
 } // namespace
