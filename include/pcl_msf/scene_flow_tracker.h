@@ -25,7 +25,8 @@ struct PCL_MSF_EXPORT TrackerParameters {
   double least_explained{0.5}; ///< share of the newest frame's points that a segment of
                                ///< the reference covers below which it begins anew
   bool dense{true}; ///< fill in the images of results: without, these are empty, which
-                    ///< takes less time where segments, groups and poses are enough
+                    ///< takes less time where segments, groups and poses are enough;
+                    ///< a segment's points are then counted on a pattern of pixels
   bool merge_segments{
       false}; ///< of a window: segments that moved as one rigid body over a full
               ///< window become one, until the reference is given up

@@ -171,7 +171,9 @@ inline void
 addSegment (const DataTerm& data, int segment, double* pose, ceres::Problem& problem)
 {
   const SegmentPixels& p = data.pixels();
-  const kernel::Rules& rules = data.rules();
+  kernel::Rules rules = data.rules();
+  rules.brightness_weight *= static_cast<float> (p.pixels_per_point[segment]);
+  rules.icp_weight *= static_cast<float> (p.pixels_per_point[segment]);
   const auto constant = [&] (double cost) {
     problem.AddResidualBlock (new ceres::AutoDiffCostFunction<ConstantResidual, 1, 6> (
                                   new ConstantResidual{cost}),

@@ -51,6 +51,7 @@ struct EnergyWindow {
   EnergyWindow (const AnalyticScene& analytic, int count, int reference)
   : scene (analytic), pairs (count, reference), window{frames, pairs, 2, 1}
   {
+    window.tuning.data.finest_thinning = 1;
     FrameParameters plain;
     plain.smoothing_sigma = 0.0;
     plain.max_levels = 1;

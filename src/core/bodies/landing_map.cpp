@@ -79,7 +79,7 @@ LandingMap::enter (const MotionState& state, int threads)
   state_ = &state;
   points_.assign (state.poses.size(), 0);
   for (int k = 0; k < p.segments(); ++k)
-    points_[state.body_of[k]] += p.size (k);
+    points_[state.body_of[k]] += p.pixels (k);
   parallelFor (threads, p.segments(), 8, [&] (int k) {
     if (landed_[k].body != state.body_of[k])
       landed_[k] = {state.body_of[k], landingsOf (k, state.poseOf (k))};

@@ -67,7 +67,7 @@ private:
   void
   addRow (const MotionState& state, int row);
   void
-  add (int body, int point, const PointResiduals& residuals);
+  add (int body, int segment, int point, const PointResiduals& residuals);
   Tile*
   tileOf (int pixel, int body);
 
@@ -122,21 +122,22 @@ TileSums::addRow (const MotionState& state, int row)
     forEachSeen (data_,
                  state.poseOf (k),
                  range,
-                 [&] (int point, const PointResiduals& r) { add (body, point, r); });
+                 [&] (int point, const PointResiduals& r) { add (body, k, point, r); });
   }
 }
 
 void
-TileSums::add (int body, int point, const PointResiduals& residuals)
+TileSums::add (int body, int segment, int point, const PointResiduals& residuals)
 {
   const SegmentPixels& p = data_.pixels();
   Tile* tile = tileOf (p.pixel[point], body);
   if (!tile)
     return;
-  ++tile->points;
+  const auto worth = static_cast<float> (p.pixels_per_point[segment]);
+  tile->points += p.pixels_per_point[segment];
   const float limit = data_.rules().huber;
-  const auto weight = [limit] (float r) {
-    return std::min (1.0f, limit / std::max (std::abs (r), 1e-6f)); // of Eq. 7
+  const auto weight = [limit, worth] (float r) {
+    return worth * std::min (1.0f, limit / std::max (std::abs (r), 1e-6f)); // of Eq. 7
   };
   if (p.icp_scale[point] > 0.0f) {
     const float w = weight (residuals.icp);

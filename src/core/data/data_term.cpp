@@ -31,6 +31,17 @@ kernelMotion (const UnpackedPose& pose,
   return m;
 }
 
+void
+multiply (kernel::Sums& sums, double factor)
+{
+  for (double& a : sums.a)
+    a *= factor;
+  for (double& b : sums.b)
+    b *= factor;
+  sums.brightness_cost *= factor;
+  sums.icp_cost *= factor;
+}
+
 /** Sums about a left perturbation at the centroid -> pose parameters. */
 void
 toPoseParameters (const kernel::Sums& sums,
@@ -182,6 +193,7 @@ DataTerm::evaluate (int k, const RigidPose& at_pose, Pass pass)
   const auto linearize =
       renew ? kernel::chosenKernel().linearize : kernel::linearizeKeptInDouble;
   linearize (points (k), image_, motion, rules_, state, sums);
+  multiply (sums, pixels_.pixels_per_point[k]);
   SegmentQuadratic& out = quadratics_[k];
   out.brightness_cost = sums.brightness_cost;
   out.icp_cost = sums.icp_cost;

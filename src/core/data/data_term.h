@@ -193,7 +193,7 @@ public:
   double
   totalWeight (int segment) const
   {
-    return pixels_.size (segment) *
+    return pixels_.pixels (segment) *
            ((pixels_.brightness_count > 0 ? rules_.brightness_weight : 0.0) +
             (pixels_.icp_count > 0 ? rules_.icp_weight : 0.0));
   }

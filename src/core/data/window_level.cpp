@@ -15,12 +15,16 @@ namespace pcl_msf {
 PointOptions
 pointOptions (const WindowScene& scene, int level)
 {
+  const DataTuning& tuning = scene.tuning.data;
   return {scene.noise,
-          scene.tuning.data.relative_tolerance * (1 << level),
+          tuning.relative_tolerance * (1 << level),
           scene.change,
           0,
           scene.threads,
           level,
+          level == 0   ? tuning.finest_thinning
+          : level == 1 ? tuning.half_thinning
+                       : 1,
           scene.tuning.segments.pixels};
 }
 
@@ -74,6 +78,7 @@ prepareFrame (const WindowScene& scene,
               int level,
               const cv::Mat& labels,
               const PointOptions& options,
+              bool results,
               LevelPoints& out)
 {
   FrameLevel frame = scene.frames[f].levels()[level];
@@ -83,6 +88,12 @@ prepareFrame (const WindowScene& scene,
     frame.inverse_depth = scene.fused_depth;
   if (!labels.empty())
     out.pixels[f] = groupPixels (frame, labels, scene.segments, options);
+  if (reference && results && options.thinning > 1) {
+    PointOptions all = options;
+    all.thinning = 1;
+    out.whole = std::make_unique<SegmentPixels> (
+        groupPixels (frame, labels, scene.segments, all));
+  }
   if (reference)
     out.probes = probePoints (frame, labels, scene, options);
   else
@@ -95,7 +106,8 @@ LevelPoints
 prepareLevel (const WindowScene& scene,
               int level,
               const std::vector<cv::Mat>& labels,
-              const PointOptions& options)
+              const PointOptions& options,
+              bool results)
 {
   const int count = static_cast<int> (scene.frames.size());
   const bool many = count > 2; // else threads share a frame's points
@@ -106,7 +118,7 @@ prepareLevel (const WindowScene& scene,
   points.pixels.resize (count);
   points.textures.resize (count);
   parallelFor (many ? options.threads : 1, count, 1, [&] (int f) {
-    prepareFrame (scene, f, level, labels[f], of_frame, points);
+    prepareFrame (scene, f, level, labels[f], of_frame, results, points);
   });
   return points;
 }

@@ -61,18 +61,22 @@ comparableIntensity (const WindowScene& scene, int frame, int level);
 /** \brief What of a level depends on no poses, once segments have been carried. */
 struct LevelPoints {
   std::vector<SegmentPixels> pixels;              ///< per frame, grouped by segment
+  std::unique_ptr<SegmentPixels> whole;           ///< all of the reference's, where
+                                                  ///< those are thinned and results
+                                                  ///< are wanted
   SegmentPixels probes;                           ///< a sample of the reference's
   std::vector<std::unique_ptr<Texture>> textures; ///< per frame
 };
 
 /** \brief Prepares a level. Of the scene it reads the frames, exposures and fused
  * depth, but no noise: that of the options counts. \param labels per frame, of this
- * level; empty for frames that no pair starts from */
+ * level; empty for frames that no pair starts from \param results are wanted of it */
 LevelPoints
 prepareLevel (const WindowScene& scene,
               int level,
               const std::vector<cv::Mat>& labels,
-              const PointOptions& options);
+              const PointOptions& options,
+              bool results = false);
 
 /** \brief One pyramid level of a window: every frame's points grouped by the segments
  * carried there, every frame's texture, shared by all pairs; a data term per pair. */
@@ -152,6 +156,13 @@ public:
   pixels (int frame) const
   {
     return points_.pixels[frame];
+  }
+  /** \brief All points of the reference, if results are wanted, else the solve's. What
+   * these learnt of their noise is not in them. */
+  const SegmentPixels&
+  wholeReference () const
+  {
+    return points_.whole ? *points_.whole : pixels (scene_.pairs.reference());
   }
 
 private:

@@ -16,14 +16,14 @@ bodyShapes (const SegmentPixels& points, const std::vector<int>& body_of, int bo
   std::vector<int> count (bodies, 0);
   for (int k = 0; k < points.segments(); ++k) {
     const int b = body_of[k];
-    shapes[b].center += points.size (k) * points.centroid[k];
-    count[b] += points.size (k);
+    shapes[b].center += points.pixels (k) * points.centroid[k];
+    count[b] += points.pixels (k);
   }
   for (int b = 0; b < bodies; ++b)
     shapes[b].center /= std::max (1, count[b]);
   for (int k = 0; k < points.segments(); ++k) {
     const Eigen::Vector3d d = points.centroid[k] - shapes[body_of[k]].center;
-    moment[body_of[k]] += points.size (k) * (points.spread[k] + d * d.transpose());
+    moment[body_of[k]] += points.pixels (k) * (points.spread[k] + d * d.transpose());
   }
   for (int b = 0; b < bodies; ++b) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen (moment[b] /

@@ -15,10 +15,6 @@ namespace pcl_msf {
 namespace {
 
 constexpr int kSectors = 24;
-constexpr int kLeastSectors = 20; // of them with points: a tube
-constexpr int kRounds = 3;        // of centering
-constexpr double kFrom = 0.5;     // mean radii from the seam: the section's ends
-constexpr double kTo = 2.5;
 
 /** A cross-section in polar coordinates. */
 struct Section {
@@ -33,9 +29,10 @@ struct Section {
     radius[sector] += std::hypot (u, v);
     ++points[sector];
   }
-  /** Of its area. \return is it a tube's? */
+  /** Of its area. \return is it a tube's? \param least share of the sectors with
+   * points */
   bool
-  center (Eigen::Vector2d& center) const
+  center (double least, Eigen::Vector2d& center) const
   {
     int filled = 0;
     double area = 0.0;
@@ -50,7 +47,7 @@ struct Section {
       center += r * r * r / 3.0 * Eigen::Vector2d (std::cos (a), std::sin (a));
     }
     center /= std::max (area, 1e-300);
-    return filled >= kLeastSectors;
+    return filled >= least * kSectors;
   }
 };
 
@@ -133,7 +130,8 @@ sectionCenter (const Surface& surface,
                const std::vector<int>& whole,
                int limb,
                const SurfaceSeam& seam,
-               const Eigen::Vector3d& along)
+               const Eigen::Vector3d& along,
+               const LimbSectionTuning& tuning)
 {
   Eigen::Matrix3d frame;
   frame.col (2) = along;
@@ -142,14 +140,15 @@ sectionCenter (const Surface& surface,
   const LimbPoints points = pointsOf (surface, whole, limb, seam.center, frame);
   const double radius = points.meanRadius();
   Eigen::Vector2d center = Eigen::Vector2d::Zero();
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < tuning.rounds; ++round) {
     Section section;
     for (std::size_t i = 0; i < points.across.size(); ++i)
-      if (points.along[i] > kFrom * radius && points.along[i] < kTo * radius)
+      if (points.along[i] > tuning.from * radius &&
+          points.along[i] < tuning.to * radius)
         section.add (points.across[i].x() - center.x(),
                      points.across[i].y() - center.y());
     Eigen::Vector2d shift;
-    if (!section.center (shift))
+    if (!section.center (tuning.filled, shift))
       return seam.center;
     center += shift;
   }

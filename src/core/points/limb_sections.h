@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/tuning/point_tuning.h"
 #include "core/surface/surface_segments.h"
 
 #include <vector>
@@ -30,6 +31,7 @@ sectionCenter (const Surface& surface,
                const std::vector<int>& whole,
                int limb,
                const SurfaceSeam& seam,
-               const Eigen::Vector3d& along);
+               const Eigen::Vector3d& along,
+               const LimbSectionTuning& tuning);
 
 } // namespace pcl_msf

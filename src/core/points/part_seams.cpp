@@ -20,7 +20,7 @@ holdSeams (const BodySeams& bodies,
     const Eigen::Vector3d free = eigen.eigenvectors().col (0);
     const Eigen::Vector3d along = poses[part].rotation().transpose() * free;
     const Eigen::Vector3d center =
-        sectionCenter (bodies.surface, bodies.whole, part, seam, along);
+        sectionCenter (bodies.surface, bodies.whole, part, seam, along, tuning.section);
     PointPull pull;
     pull.add (poses[other] * center, free, tuning.seam * seam.edges, 0.0);
     moments[part].add (center, pull, 1.0);

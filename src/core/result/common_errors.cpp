@@ -36,13 +36,14 @@ scoreOf (const DataTerm& data, int segment, double residual_scale)
 {
   const SegmentPixels& p = data.pixels();
   const int width = data.image().width;
-  Score score{0.0, 0.0, p.size (segment), residual_scale * data.of (segment).gradient};
+  Score score{
+      0.0, 0.0, p.pixels (segment), residual_scale * data.of (segment).gradient};
   for (int i = p.begin[segment]; i < p.begin[segment + 1]; ++i) {
     score.x += p.pixel[i] % width;
     score.y += p.pixel[i] / width;
   }
-  score.x /= std::max (1, score.points);
-  score.y /= std::max (1, score.points);
+  score.x /= std::max (1, p.size (segment));
+  score.y /= std::max (1, p.size (segment));
   return score;
 }
 
@@ -137,7 +138,7 @@ informationOfBodies (const DataTerm& data,
       continue;
     BodyInformation& body = bodies[state.body_of[k]];
     body.data += residual_scale * data.of (k).information;
-    body.points += data.pixels().size (k);
+    body.points += data.pixels().pixels (k);
     scores[state.body_of[k]].push_back (scoreOf (data, k, residual_scale));
   }
   const double area = static_cast<double> (data.image().width) * data.image().height;

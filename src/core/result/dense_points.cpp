@@ -119,14 +119,13 @@ writeMotion (const Eigen::Vector3f& point,
 } // namespace
 
 void
-fillPoints (const DataTerm& data,
+fillPoints (const SegmentPixels& p,
             const PinholeCamera& camera,
             bool blend,
             const BlendTuning& tuning,
             int threads,
             SceneFlow& result)
 {
-  const SegmentPixels& p = data.pixels();
   const cv::Size size = result.labels.size();
   result.points = unknownImage (size, 3, threads);
   result.displacement = unknownImage (size, 3, threads);

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/tuning/result_tuning.h"
-#include "core/data/data_term.h"
+#include "core/segments/segment_pixels.h"
 #include <pcl_msf/scene_flow.h>
 
 namespace pcl_msf {
@@ -14,10 +14,9 @@ namespace pcl_msf {
  * segment is strongly connected to: a mean of their motions, weighted by the connection
  * (w^2) and by the distance from their centres in the image. Inside a rigid body that
  * changes nothing; across a bending surface it takes the steps out.
- * \param data of level 0, linearized at the result's poses
- * \param result with labels, segments and pairs */
+ * \param points of level 0 \param result with labels, segments and pairs */
 void
-fillPoints (const DataTerm& data,
+fillPoints (const SegmentPixels& points,
             const PinholeCamera& target_camera,
             bool blend,
             const BlendTuning& tuning,

@@ -66,11 +66,12 @@ landingOf (const kernel::Image& image,
 /** Where the result's motion takes the points. */
 class Landings {
 public:
-  Landings (const DataTerm& data,
+  Landings (const SegmentPixels& pixels,
+            const kernel::Image& image,
             const VisibilityTuning& tuning,
             const SceneFlow& result)
-  : pixels_ (data.pixels())
-  , image_ (data.image())
+  : pixels_ (pixels)
+  , image_ (image)
   , most_share_ (tuning.most_share)
   , points_ (result.points.ptr<cv::Vec3f>())
   , displacement_ (result.displacement.ptr<cv::Vec3f>())
@@ -240,21 +241,21 @@ visibilityOf (const kernel::Image& image,
 } // namespace
 
 void
-fillVisibility (const DataTerm& data,
+fillVisibility (const SegmentPixels& p,
+                const kernel::Image& image,
                 const VisibilityTuning& tuning,
                 int threads,
                 SceneFlow& result)
 {
-  const SegmentPixels& p = data.pixels();
-  const kernel::Image image = data.image();
   result.visibility = cv::Mat (
       result.labels.size(), CV_8UC1, cv::Scalar (pixelValue (Visibility::NoDepth)));
-  const Landings landings (data, tuning, result);
+  const Landings landings (p, image, tuning, result);
   const float wider = widening (landings, p, tuning);
   const Surroundings surroundings (image);
   parallelFor (threads, p.segments(), 8, [&] (int k) {
     SegmentMotion& segment = result.segments[k];
     const bool known = segment.status != MotionStatus::Undetermined;
+    segment.points = p.pixels (k);
     segment.visible_points = 0;
     for (int i = p.begin[k]; i < p.begin[k + 1]; ++i) {
       const Visibility seen = known ? visibilityOf (image,
@@ -266,7 +267,7 @@ fillVisibility (const DataTerm& data,
                                                     p.pixel[i])
                                     : Visibility::Unknown;
       result.visibility.ptr<unsigned char>()[p.pixel[i]] = pixelValue (seen);
-      segment.visible_points += seen == Visibility::Visible ? 1 : 0;
+      segment.visible_points += seen == Visibility::Visible ? p.pixels_per_point[k] : 0;
     }
   });
 }

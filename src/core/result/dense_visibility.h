@@ -9,11 +9,12 @@
 namespace pcl_msf {
 
 /** \brief Says of every moved point whether the current frame shows it, see Visibility,
- * and counts the visible points of each segment.
- * \param data of level 0, whose points and depth tolerances are used
- * \param result with segments, points and displacement */
+ * and counts the points of each segment and the visible ones.
+ * \param p points of level 0, whose depth tolerances are used \param image of the
+ * current frame \param result with segments, points and displacement */
 void
-fillVisibility (const DataTerm& data,
+fillVisibility (const SegmentPixels& p,
+                const kernel::Image& image,
                 const VisibilityTuning& tuning,
                 int threads,
                 SceneFlow& result);

@@ -145,7 +145,7 @@ PoseCovariance::reachOf (int k) const
   const Eigen::Vector3d& c = data_.pixels().centroid[k];
   const double pixel = std::max (c.z(), 1e-3) / data_.image().fx;
   const double radius =
-      0.5 * pixel * std::sqrt (std::max (1.0, 1.0 * data_.pixels().size (k)));
+      0.5 * pixel * std::sqrt (std::max (1.0, 1.0 * data_.pixels().pixels (k)));
   Vector6 local;
   local.head<3>().setConstant (std::pow (radius / (tuning_.reach * pixel), 2));
   local.tail<3>().setConstant (std::pow (1.0 / (tuning_.reach * pixel), 2));

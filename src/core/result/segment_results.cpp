@@ -62,10 +62,11 @@ fillOwnMotion (const DataTerm& data,
   const SegmentPixels& p = data.pixels();
   motion.current_from_reference = state.poseOf (k);
   motion.centroid = p.centroid[k];
-  motion.points = p.size (k);
+  motion.points = p.pixels (k);
   motion.visible_points = 0;
   for (int i = p.begin[k]; i < p.begin[k + 1]; ++i)
-    motion.visible_points += (data.active()[i] & kernel::kIcp) ? 1 : 0;
+    motion.visible_points +=
+        (data.active()[i] & kernel::kIcp) ? p.pixels_per_point[k] : 0;
   motion.rank = numericalRank (residual_scale * data.of (k).information,
                                motion.current_from_reference,
                                p.centroid[k],

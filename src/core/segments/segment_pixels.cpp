@@ -6,28 +6,74 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pcl_msf {
 
 namespace {
 
+/** Calls f (label, pixel) for pixels with a label, in raster order: all, every second
+ * one as on a chessboard, or every second one of every second row, shifted in turn. */
+template <typename F>
+void
+forEachLabel (const cv::Mat& labels, int thinning, const F& f)
+{
+  const int row_step = thinning >= 4 ? 2 : 1;
+  const int step = thinning >= 2 ? 2 : 1;
+  for (int y = 0; y < labels.rows; y += row_step) {
+    const int* row = labels.ptr<int> (y);
+    for (int x = y / row_step % step; x < labels.cols; x += step)
+      if (row[x] >= 0)
+        f (row[x], y * labels.cols + x);
+  }
+}
+
+/** Halves the thinning of segments of which it would leave fewer than `least` points.
+ * \return how many points each has */
+std::vector<int>
+countPoints (const cv::Mat& labels,
+             int thinning,
+             int least,
+             std::vector<int>& pixels_per_point)
+{
+  const std::size_t segments = pixels_per_point.size();
+  std::vector<int> points (segments, 0);
+  bool some = true;
+  for (int t = thinning; t > 0 && some; t /= 2) {
+    std::vector<int> count (segments, 0);
+    forEachLabel (labels, t, [&] (int label, int) { ++count[label]; });
+    some = false;
+    for (std::size_t k = 0; k < segments; ++k) {
+      if (pixels_per_point[k] != t)
+        continue;
+      points[k] = count[k];
+      if (t > 1 && count[k] < least) {
+        pixels_per_point[k] = t / 2;
+        some = true;
+      }
+    }
+  }
+  return points;
+}
+
 /** Where each segment's points begin, and the pixels in that order. */
 void
-sortBySegment (const cv::Mat& labels, int segments, SegmentPixels& out)
+sortBySegment (
+    const cv::Mat& labels, int segments, int thinning, int least, SegmentPixels& out)
 {
+  out.pixels_per_point.assign (segments, thinning);
+  const std::vector<int> points =
+      countPoints (labels, thinning, least, out.pixels_per_point);
   out.begin.assign (segments + 1, 0);
-  for (int y = 0; y < labels.rows; ++y)
-    for (int x = 0; x < labels.cols; ++x)
-      if (labels.at<int> (y, x) >= 0)
-        ++out.begin[labels.at<int> (y, x) + 1];
-  for (int k = 0; k < segments; ++k)
-    out.begin[k + 1] += out.begin[k];
+  std::partial_sum (points.begin(), points.end(), out.begin.begin() + 1);
   out.pixel.resize (out.begin[segments]);
   std::vector<int> next (out.begin.begin(), out.begin.end() - 1);
-  for (int y = 0; y < labels.rows; ++y)
-    for (int x = 0; x < labels.cols; ++x)
-      if (labels.at<int> (y, x) >= 0)
-        out.pixel[next[labels.at<int> (y, x)]++] = y * labels.cols + x;
+  for (int t = thinning; t > 0; t /= 2)
+    if (std::count (out.pixels_per_point.begin(), out.pixels_per_point.end(), t) > 0)
+      forEachLabel (labels, t, [&] (int label, int pixel) {
+        if (out.pixels_per_point[label] == t)
+          out.pixel[next[label]++] = pixel;
+      });
 }
 
 /** Keeps samples of each segment; more of each when the segments are few. */
@@ -228,8 +274,10 @@ groupPixels (const FrameLevel& level,
              const PointOptions& options)
 {
   SegmentPixels out;
-  sortBySegment (labels, segments, out);
-  if (options.max_per_segment > 0)
+  const bool samples = options.max_per_segment > 0;
+  const int thinning = samples ? 1 : options.thinning;
+  sortBySegment (labels, segments, thinning, options.tuning.least_points, out);
+  if (samples)
     thin (options.max_per_segment, options.tuning.least_samples, out);
   resizeArrays (out);
   out.centroid.assign (segments, Eigen::Vector3d::Zero());
@@ -251,8 +299,8 @@ groupPixels (const FrameLevel& level,
       out.centroid[k] /= out.size (k);
       out.spread[k] = spreadOf (out, k);
     }
-    brightness_count += brightness;
-    icp_count += icp;
+    brightness_count += brightness * out.pixels_per_point[k];
+    icp_count += icp * out.pixels_per_point[k];
   });
   out.tolerance_sigmas = options.tuning.hidden_sigmas;
   out.areas = options.noise.areas;

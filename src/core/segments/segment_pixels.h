@@ -51,10 +51,12 @@ struct SegmentPixels {
   std::vector<Eigen::Vector3d> centroid; ///< metres; of the level's points
   std::vector<Eigen::Matrix3d> spread;   ///< square metres; their second moments about
                                          ///< the centroid
-  int brightness_count{0};               ///< points with intensity
-  int icp_count{0};                      ///< points with a normal
-  CorrelationAreas areas;                ///< of the residuals, pixels of level 0
-  int pixel_area{1};                     ///< pixels of level 0 in one of these
+  std::vector<int> pixels_per_point; ///< per segment: pixels of the level that a point
+                                     ///< stands for, and counts as
+  int brightness_count{0};           ///< pixels of points with intensity
+  int icp_count{0};                  ///< likewise with a normal
+  CorrelationAreas areas;            ///< of the residuals, pixels of level 0
+  int pixel_area{1};                 ///< pixels of level 0 in one of the level
 
   int
   segments () const
@@ -65,6 +67,12 @@ struct SegmentPixels {
   size (int segment) const
   {
     return begin[segment + 1] - begin[segment];
+  }
+  /** \brief Pixels of the level that a segment's points stand for. */
+  int
+  pixels (int segment) const
+  {
+    return pixels_per_point[segment] * size (segment);
   }
 };
 
@@ -79,6 +87,8 @@ struct PointOptions {
                                    ///< so few segments would have too few in all
   int threads{1};
   int level{0};
+  int thinning{1}; ///< pixels of the level that a point stands for at the most: 1, 2
+                   ///< or 4, in a pattern; not of samples
   PixelTuning tuning{};
 };
 

@@ -21,9 +21,12 @@ UpcomingLevels::begin (const WindowScene& scene, std::vector<Request> requests)
   work_ = meanwhile (scene.threads, [&scene, made, requests = std::move (requests)] {
     for (std::size_t i = 0; i < requests.size(); ++i)
       try {
-        const PointOptions& options = requests[i].options;
-        (*made)[i].set_value (
-            prepareLevel (scene, options.level, requests[i].labels, options));
+        const Request& request = requests[i];
+        (*made)[i].set_value (prepareLevel (scene,
+                                            request.options.level,
+                                            request.labels,
+                                            request.options,
+                                            request.results));
       }
       catch (...) {
         (*made)[i].set_exception (std::current_exception());

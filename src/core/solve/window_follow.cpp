@@ -68,7 +68,7 @@ WindowSolve::startFollowing()
   level_ = std::make_unique<WindowLevel> (
       scene_,
       at,
-      prepareLevel (scene_, at, labels, pointOptions (scene_, at)),
+      prepareLevel (scene_, at, labels, pointOptions (scene_, at), dense_ && at == 0),
       energy_);
   takeBestGuesses();
   return partLost();

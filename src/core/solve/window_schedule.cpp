@@ -31,6 +31,7 @@ WindowSolve::pairSchedule (int finest_level) const
     round.propose = round.merge = level < tuning.coarsest_level;
     round.presort = round.rescale_noise =
         user_.merge_bodies && 0 < level && level < coarsest;
+    round.results = level == 0;
     if (level == 0 && coarsest > 0)
       round.iterations = std::min (few, tuning.finest_iterations);
     round.together = level == tuning.coarsest_level && !apart_;
@@ -105,7 +106,7 @@ WindowSolve::windowSchedule() const
     round.presort = i == 0;
     round.rescale_noise = i > 0;
     round.merge = i < 2;
-    round.fuse = i == 2;
+    round.fuse = round.results = i == 2;
     rounds.push_back (round);
   }
   return rounds;
@@ -130,6 +131,7 @@ WindowSolve::followSchedule() const
     rounds.back().rescale_noise = true;
     rounds.back().merge = level > 0 || coarsest == 0;
     rounds.back().keep_worth = true;
+    rounds.back().results = level == 0;
   }
   rounds.back().last = true;
   return rounds;

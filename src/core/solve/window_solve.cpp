@@ -173,7 +173,12 @@ WindowSolve::enterLevel (const Round& round)
     fitExposures (round.level, labels[pairs_.reference()]);
   if (round.fuse)
     fuseDepth();
-  level_ = std::make_unique<WindowLevel> (scene_, round.level, labels, energy_);
+  const PointOptions options = pointOptions (scene_, round.level);
+  level_ = std::make_unique<WindowLevel> (
+      scene_,
+      round.level,
+      prepareLevel (scene_, round.level, labels, options, dense_ && round.results),
+      energy_);
 }
 
 /** Of two frames, points of a level depend on nothing that the solve finds: another
@@ -186,8 +191,9 @@ WindowSolve::prepareUpcoming (const std::vector<Round>& later)
   std::vector<UpcomingLevels::Request> requests;
   for (const Round& round : later)
     if (round.anew) {
-      requests.push_back (
-          {carryLabels (round.level), pointOptions (scene_, round.level)});
+      requests.push_back ({carryLabels (round.level),
+                           pointOptions (scene_, round.level),
+                           dense_ && round.results});
       requests.back().options.threads = 1;
     }
   if (!requests.empty())

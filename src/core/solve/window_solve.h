@@ -122,6 +122,7 @@ private:
     double begin, end; ///< of the progress
     int iterations;
     bool anew{true};      ///< with a new level, segments carried by the present poses
+    bool results{false};  ///< the level is to tell dense results, too
     bool fuse{false};     ///< with the depth of all frames
     bool together{false}; ///< segments of one pose are one body for the solve
     bool propose{false};  ///< segments may jump

@@ -20,6 +20,7 @@ WindowSolve::resultFor (int frame)
 {
   const int pair = pairs_.fromReference (frame);
   const DataTerm& data = level_->data (pair);
+  const SegmentPixels& points = level_->wholeReference();
   SceneFlow result;
   result.camera = frames_[pairs_.reference()].camera();
   result.labels = segments_.labels();
@@ -30,14 +31,15 @@ WindowSolve::resultFor (int frame)
                 scene_.tuning.result,
                 scene_.threads,
                 result);
-  fillPoints (data,
+  fillPoints (points,
               frames_[frame].camera(),
               user_.blend_motions,
               scene_.tuning.result.blend,
               scene_.threads,
               result);
   refine (frame, result);
-  fillVisibility (data, scene_.tuning.result.visibility, scene_.threads, result);
+  fillVisibility (
+      points, data.image(), scene_.tuning.result.visibility, scene_.threads, result);
   fillConfidence (data, pair, frames_[frame].camera(), result);
   return result;
 }
@@ -84,7 +86,7 @@ WindowSolve::fillConfidence (const DataTerm& data,
                        result);
   if (!dense_)
     return;
-  fillDeviations (data.pixels(),
+  fillDeviations (level_->wholeReference(),
                   covariances,
                   camera,
                   scene_.noise.inverse_depth,

@@ -26,6 +26,7 @@ struct Setup {
   double threshold;
   PoseDifference form;
   bool joined; ///< segments 1 and 2 are one body
+  int thinning{1};
 };
 
 void
@@ -111,6 +112,7 @@ Oracle::Oracle()
   FrameParameters plain;
   plain.smoothing_sigma = 0.0;
   frames_ = {scene_.frame (reference, plain), scene_.frame (current, plain)};
+  window_.tuning.data.finest_thinning = GetParam().thinning;
   level_ = std::make_unique<WindowLevel> (
       window_, 0, std::vector<cv::Mat>{labels, {}}, energy_);
   const std::vector<Eigen::Vector3d>& centroid = data().pixels().centroid;
@@ -177,12 +179,13 @@ TEST_P (Oracle, EveryKindOfPointTakesPart)
       count[bit] += (active >> bit) & 1;
     count[5] += active == kernel::kBrightness;
   }
-  EXPECT_GT (count[0], 1000); // brightness
-  EXPECT_GT (count[1], 1000); // ICP
-  EXPECT_GT (count[2], 5);    // occluded
-  EXPECT_GT (count[3], 5);    // out of view
-  EXPECT_GT (count[4], 5);    // hole
-  EXPECT_GT (count[5], 5);    // far before the surface that is seen
+  const int t = GetParam().thinning;
+  EXPECT_GT (t * count[0], 1000); // brightness
+  EXPECT_GT (t * count[1], 1000); // ICP
+  EXPECT_GT (t * count[2], 5);    // occluded
+  EXPECT_GT (t * count[3], 5);    // out of view
+  EXPECT_GT (t * count[4], 5);    // hole
+  EXPECT_GT (t * count[5], 5);    // far before the surface that is seen
 }
 
 TEST_P (Oracle, CostGradientAndGaussNewtonMatrixAgree)
@@ -229,8 +232,9 @@ TEST_P (Oracle, SameOptimumFromTheSameStart)
   ceres::Solver::Summary b;
   ceres::Solve (options, &compressed.problem(), &a);
   ceres::Solve (options, plain.get(), &b);
-  // L1 has a kink at every residual: rounding decides which one a descent ends at.
-  const double loose = l1() ? 100.0 : 1.0;
+  // L1 has a kink at every residual: rounding decides which one a descent ends at. So
+  // does a texel's border, of which fewer points average less.
+  const double loose = l1() || GetParam().thinning > 1 ? 100.0 : 1.0;
   EXPECT_NEAR (a.final_cost / b.final_cost, 1.0, 1e-8 * loose);
   EXPECT_LT (a.final_cost, 0.6 * a.initial_cost);
   for (std::size_t k = 0; k < state_.poses[0].size(); ++k)
@@ -278,7 +282,8 @@ INSTANTIATE_TEST_SUITE_P (
         Setup{"L1", LossType::L1, 1.0, PoseDifference::Metric, false},
         Setup{"L2", LossType::L2, 1.0, PoseDifference::Metric, false},
         Setup{"Parameters", LossType::Huber, 0.7, PoseDifference::Parameters, false},
-        Setup{"JoinedBody", LossType::Huber, 1.0, PoseDifference::Metric, true}),
+        Setup{"JoinedBody", LossType::Huber, 1.0, PoseDifference::Metric, true},
+        Setup{"Thinned", LossType::Huber, 1.0, PoseDifference::Metric, false, 2}),
     [] (const testing::TestParamInfo<Setup>& info) {
       return std::string (info.param.name);
     });

@@ -71,7 +71,7 @@ TEST (LimbSections, TheMiddleDoesNotDependOnDensity)
       bodySeams (surface, parts (surface), {1, 1, 0}, whole).front();
   for (const int limb : {0, 1}) {
     const Eigen::Vector3d center =
-        sectionCenter (surface, whole, limb, seam, Eigen::Vector3d::UnitX());
+        sectionCenter (surface, whole, limb, seam, Eigen::Vector3d::UnitX(), {});
     EXPECT_NEAR (center.x(), seam.center.x(), 1e-9);
     EXPECT_NEAR (center.y(), 0.3, 2e-3);
     EXPECT_NEAR (center.z(), -0.1, 2e-3);
@@ -90,7 +90,7 @@ TEST (LimbSections, ASheetHasNone)
     part.push_back (p.x() < 1.0F ? 0 : 1);
   std::vector<int> whole;
   const SurfaceSeam seam = bodySeams (surface, part, {1, 1}, whole).front();
-  EXPECT_EQ (sectionCenter (surface, whole, 0, seam, Eigen::Vector3d::UnitX()),
+  EXPECT_EQ (sectionCenter (surface, whole, 0, seam, Eigen::Vector3d::UnitX(), {}),
              seam.center);
 }
 

@@ -44,10 +44,9 @@ protected:
   double
   slideAt (int column, bool blend = true)
   {
-    const MotionState state = wall_.truth();
     BlendTuning tuning;
     tuning.reach = 0.5;
-    fillPoints (wall_.data (state), wall_.camera, blend, tuning, 1, scene_);
+    fillPoints (wall_.pixels, wall_.camera, blend, tuning, 1, scene_);
     return scene_.displacement.at<cv::Vec3f> (10, column)[1] / kMetres;
   }
 
@@ -117,11 +116,10 @@ TEST_F (Blended, UncertainMotionsAreNotPassedOn)
 
 TEST_F (Blended, SameForAnyNumberOfThreads)
 {
-  const MotionState state = wall_.truth();
   slideAt (19);
   const cv::Mat one = scene_.displacement.clone();
   for (const int threads : {2, 5}) {
-    fillPoints (wall_.data (state), wall_.camera, true, {}, threads, scene_);
+    fillPoints (wall_.pixels, wall_.camera, true, {}, threads, scene_);
     EXPECT_EQ (cv::norm (one, scene_.displacement, cv::NORM_INF), 0.0);
   }
 }
@@ -166,8 +164,7 @@ protected:
           pixels.x[i], pixels.y[i], pixels.z[i]};
     const RgbdFrame current = frame (shown_);
     const Texture texture (current.levels()[0]);
-    const DataTerm data (pixels, texture, makeRules ({}, pixels, {}), 1);
-    fillVisibility (data, {}, 1, scene_);
+    fillVisibility (pixels, texture.image(), {}, 1, scene_);
   }
 
   int

@@ -13,6 +13,8 @@ listValues (DataTuning& tuning, TunedValues& values)
   const TunedValues own{
       {"data.probes", &tuning.probes, 1, 1e6},
       {"data.relative_tolerance", &tuning.relative_tolerance, 0, 1},
+      {"data.finest_thinning", &tuning.finest_thinning, 1, 4},
+      {"data.half_thinning", &tuning.half_thinning, 1, 4},
       {"data.missing.wrong_match", &missing.wrong_match, 2.5, 100},
       {"data.missing.no_depth", &missing.no_depth, 0, 100},
       {"data.missing.occluded", &missing.occluded, 0, 4},

@@ -76,6 +76,15 @@ windowValues (PointWindowTuning& window)
 }
 
 TunedValues
+sectionValues (LimbSectionTuning& sections)
+{
+  return {{"points.parts.section.filled", &sections.filled, 0, 1},
+          {"points.parts.section.rounds", &sections.rounds, 0, 1000},
+          {"points.parts.section.from", &sections.from, 0, 100},
+          {"points.parts.section.to", &sections.to, 0, 100}};
+}
+
+TunedValues
 partValues (PointTuning& tuning)
 {
   PointPartTuning& parts = tuning.parts;
@@ -116,6 +125,7 @@ listValues (PointTuning& tuning, TunedValues& values)
   for (const TunedValues& own : {matchingValues (tuning),
                                  limbValues (tuning.limbs),
                                  windowValues (tuning.window),
+                                 sectionValues (tuning.parts.section),
                                  partValues (tuning)})
     values.insert (values.end(), own.begin(), own.end());
   for (std::size_t i = 0; i < tuning.stages.size(); ++i) {

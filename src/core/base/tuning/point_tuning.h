@@ -114,8 +114,20 @@ struct LimbTuning {
                             ///< segments to their neighbours
 };
 
+/** \brief The cross-section at which a limb is held; see "Limbs turn about their
+ * middle" in DECISIONS.md. */
+struct LimbSectionTuning {
+  double filled{0.8}; ///< share of the directions about the middle that have points: a
+                      ///< tube; less holds what is none
+  int rounds{3};      ///< of centering; more is slower
+  double from{0.5};   ///< mean radii from the seam to where the section begins: less
+                      ///< has what bends there tell
+  double to{2.5};     ///< and where it ends: more has what is another limb tell
+};
+
 /** \brief What moves as one. */
 struct PointPartTuning {
+  LimbSectionTuning section;
   double allowance{10.0};   ///< of a merge, halved squared deviations: more makes fewer
                             ///< parts
   double per_point{0.25};   ///< further, per point of the smaller part: likewise

@@ -19,6 +19,7 @@ listValues (SegmentTuning& tuning, TunedValues& values)
       {"segments.connections.rounds", &tuning.connections.rounds, 0, 100},
       {"segments.links.step", &tuning.links.step, 0, 1e6},
       {"segments.links.apart", &tuning.links.apart, 1e-6, 1},
+      {"segments.pixels.least_points", &tuning.pixels.least_points, 1, 1e6},
       {"segments.pixels.least_samples", &tuning.pixels.least_samples, 0, 1e7},
       {"segments.pixels.hidden_sigmas", &tuning.pixels.hidden_sigmas, 0.1, 1000}};
   values.insert (values.end(), own.begin(), own.end());

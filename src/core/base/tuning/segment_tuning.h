@@ -42,6 +42,7 @@ struct LinkTuning {
 
 /** \brief A level's points. */
 struct PixelTuning {
+  int least_points{64};      ///< that thinning leaves of a segment; more is slower
   int least_samples{2048};   ///< of all segments together, see "Samples have a least
                              ///< number in all" in DECISIONS.md; more is slower
   float hidden_sigmas{5.0f}; ///< standard deviations of the inverse depth's noise
