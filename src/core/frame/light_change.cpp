@@ -106,8 +106,11 @@ lightChanged (const MatchedIntensities& matches,
   const double before = misfits.medianBeyond (amounts);
   if (before <= tuning.least_light) // no light can explain more
     return false;
+  // What light explains the first round does nearly: of most frames it is the only one.
+  const double hopeless = 0.5 * (1.0 + tuning.light_explained) * before;
   double after = before;
-  for (int round = 0; round < tuning.rounds; ++round) {
+  for (int round = 0; round < tuning.rounds && (round == 0 || after < hopeless);
+       ++round) {
     const double limit = std::max (tuning.inlier_mads * after, 1e-3);
     const double unsure = limit / tuning.term_prior;
     amounts = misfits.explain (amounts, limit, unsure * unsure);
