@@ -56,6 +56,9 @@ struct CloudFlow {
   double loose_target{0.0};     ///< share of the target in the largest piece that the
                                 ///< source leaves bare though it is not cut off
                                 ///< there: a limb lies elsewhere
+  double self_overlap{0.0};     ///< share of the source that has come to lie on another
+                                ///< part of it that faces the same way, which surfaces
+                                ///< cannot: a limb ended on another, or is crushed
   double gap{0.0};              ///< between neighbouring segments, mean, in radii of a
                                 ///< segment: much = torn or twisted
   Report report;

@@ -132,6 +132,31 @@ looseEnds (const PointClouds& clouds,
 }
 
 double
+selfOverlap (const Surface& surface,
+             const MovedPoints& moved,
+             const SelfOverlapTuning& tuning,
+             int threads)
+{
+  const double near = tuning.near * surface.median_spacing;
+  const double apart = tuning.apart * surface.median_spacing;
+  const PointTree tree (moved.points);
+  const auto lies_on_another = [&] (int i) {
+    std::vector<FoundPoint> found;
+    tree.nearest (moved.points[i].data(), tuning.neighbors, found);
+    return std::any_of (found.begin(), found.end(), [&] (const FoundPoint& other) {
+      return other.squared_distance < near * near &&
+             moved.normals[i].dot (moved.normals[other.index]) > tuning.facing &&
+             (surface.points[i] - surface.points[other.index]).norm() > apart;
+    });
+  };
+  const int step = 1 + surface.size() / tuning.samples;
+  const int samples = (surface.size() + step - 1) / step;
+  const int count = parallelSum (
+      threads, samples, 32, [&] (int i) { return lies_on_another (step * i) ? 1 : 0; });
+  return count / std::max (1.0, static_cast<double> (samples));
+}
+
+double
 meanGap (const SurfaceSegments& segments, const std::vector<RigidPose>& poses)
 {
   double sum = 0.0;

@@ -67,6 +67,14 @@ looseEnds (const PointClouds& clouds,
            const PointResultTuning& tuning,
            int threads);
 
+/** \brief Share of a surface's points that lie on another part of it that faces the
+ * same way: limbs that ended on others. \param moved its points now */
+double
+selfOverlap (const Surface& surface,
+             const MovedPoints& moved,
+             const SelfOverlapTuning& tuning,
+             int threads);
+
 /** \brief How far neighbouring segments are from each other where they touch, mean, in
  * radii of a segment: joints turn without that, a torn or twisted surface does not. */
 double

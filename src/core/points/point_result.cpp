@@ -120,6 +120,7 @@ judge (const PointClouds& clouds,
   const CloudEnds ends = looseEnds (clouds, samples, moved, limit, tuning, threads);
   flow.loose_target = ends.target.largest;
   flow.unexplained = ends.unexplained();
+  flow.self_overlap = selfOverlap (surface, moved, tuning.overlap, threads);
   flow.gap = meanGap (solve.segments(), solve.poses());
   std::vector<float> confidence = target.distances (moved, rules, limit, threads);
   const std::vector<float> stretch = stretchOf (surface, moved.points, threads);
@@ -244,6 +245,12 @@ noteOutcome (const SolveProgress& progress,
         fixedText (100.0 * flow.loose_target, 1) +
         " % of the target in one piece is bare though the source's surface goes on "
         "there: a limb lies elsewhere; give a start that is nearer";
+  }
+  else if (flow.self_overlap > tuning.overlap.most) {
+    report.stop_reason = StopReason::DifferentPlaces;
+    report.message = fixedText (100.0 * flow.self_overlap, 1) +
+                     " % of the source has come to lie on another part of it: a limb "
+                     "ended on another; give a start that is nearer";
   }
   else if (flow.gap > tuning.gap) {
     report.stop_reason = StopReason::DifferentPlaces;

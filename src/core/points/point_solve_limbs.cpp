@@ -123,6 +123,9 @@ PointSolve::allCovered()
                                 2.0 * clouds_.source.thin.median_spacing);
   if (meanGap (segments(), poses_) > tuning_.result.gap)
     return false;
+  const SelfOverlapTuning& overlap = tuning_.result.overlap;
+  if (selfOverlap (clouds_.source.thin, moved, overlap, threads_) > overlap.most)
+    return false;
   const Coverage coverage = fine_.covered (moved, tightRules(), near, threads_);
   if (1.0 - std::max (coverage.movedShare(), coverage.samplesShare()) >
       tuning_.limbs.uncovered)

@@ -114,6 +114,7 @@ writeCloudReport (const std::string& path,
             {"explained_target", flow.explained_target},
             {"unexplained", flow.unexplained},
             {"loose_target", flow.loose_target},
+            {"self_overlap", flow.self_overlap},
             {"gap", flow.gap},
             {"bodies", flow.parts.size()},
             {"joints", flow.joints.size()}};

@@ -99,6 +99,41 @@ TEST (LooseEnds, GapsAreWhereSegmentsPart)
   EXPECT_NEAR (meanGap (segments, {{}, hinge, away}), 0.2, 1e-12);
 }
 
+/** Share of a flat sheet, two long, that lies on itself when its second half is moved.
+ */
+double
+overlapOfHalf (const Eigen::Matrix3f& turn, const Eigen::Vector3f& shift)
+{
+  Points flat = sheet (2.0F);
+  for (auto& p : flat)
+    p.z() = 0.0F;
+  const Surface surface = makeSurface (flat, {}, 1);
+  MovedPoints moved{surface.points, surface.normals, {}};
+  for (int i = 0; i < surface.size(); ++i)
+    if (surface.points[i].x() > 1.0F) {
+      moved.points[i] = turn * surface.points[i] + shift;
+      moved.normals[i] = turn * surface.normals[i];
+    }
+  return selfOverlap (surface, moved, {}, 2);
+}
+
+TEST (LooseEnds, ASurfaceThatLiesOnItselfOverlaps)
+{
+  const Eigen::Matrix3f none = Eigen::Matrix3f::Identity();
+  EXPECT_EQ (overlapOfHalf (none, {0.0F, 0.0F, 0.0F}), 0.0);
+  EXPECT_NEAR (overlapOfHalf (none, {-1.0F, 0.0F, 0.0F}), 1.0, 0.02);
+  EXPECT_NEAR (overlapOfHalf (none, {-0.5F, 0.0F, 0.0F}), 0.5, 0.1);
+  EXPECT_EQ (overlapOfHalf (none, {0.5F, 0.0F, 0.0F}), 0.0) << "torn";
+}
+
+TEST (LooseEnds, WhatTouchesFaceToFaceDoesNotOverlap)
+{
+  // Folded back about the middle, as a book that is closed.
+  Eigen::Matrix3f fold = Eigen::Matrix3f::Identity();
+  fold (0, 0) = fold (2, 2) = -1.0F;
+  EXPECT_EQ (overlapOfHalf (fold, {2.0F, 0.0F, 0.01F}), 0.0);
+}
+
 TEST (LooseEnds, StretchIsTheRatioOfLengths)
 {
   const PointClouds clouds = preparePointClouds (sheet (1.0F), sheet (1.0F), {}, 1);

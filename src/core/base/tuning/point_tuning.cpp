@@ -114,7 +114,13 @@ partValues (PointTuning& tuning)
           {"points.result.least_source", &result.least_source, 0, 1},
           {"points.result.border", &result.border, 0, 100},
           {"points.result.loose", &result.loose, 0, 1},
-          {"points.result.gap", &result.gap, 0, 100}};
+          {"points.result.gap", &result.gap, 0, 100},
+          {"points.result.overlap.most", &result.overlap.most, 0, 1},
+          {"points.result.overlap.near", &result.overlap.near, 0, 1000},
+          {"points.result.overlap.apart", &result.overlap.apart, 0, 1000},
+          {"points.result.overlap.facing", &result.overlap.facing, -1, 1},
+          {"points.result.overlap.neighbors", &result.overlap.neighbors, 2, 1000},
+          {"points.result.overlap.samples", &result.overlap.samples, 1, 1e7}};
 }
 
 } // namespace

@@ -158,8 +158,25 @@ struct PointPartTuning {
                               ///< sliding to fit
 };
 
+/** \brief Where a surface lies on itself; see "A surface cannot lie on itself" in
+ * DECISIONS.md. */
+struct SelfOverlapTuning {
+  double most{0.04};  ///< share of the source that may: more hides limbs that ended on
+                      ///< others, less refuses sharp bends
+  double near{3.0};   ///< spacings between points that lie on each other: more takes
+                      ///< what touches for it
+  double apart{9.0};  ///< spacings that they had: less takes creases for it, more
+                      ///< overlooks thin limbs
+  float facing{0.5f}; ///< least cosine between their normals: less takes what touches
+                      ///< for it
+  int neighbors{32};  ///< that are looked at, about those that are near on two
+                      ///< surfaces; more is slower
+  int samples{4000};  ///< of the source; likewise
+};
+
 /** \brief What is told of the result. */
 struct PointResultTuning {
+  SelfOverlapTuning overlap;
   double found{4.0};          ///< spacings: a surface is seen there; more finds what is
                               ///< not
   float facing{-0.15f};       ///< least cosine between its normals: below a right angle
