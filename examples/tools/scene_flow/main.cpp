@@ -4,6 +4,7 @@
 #include <pcl/console/print.h>
 
 #include "common/input_files.h"
+#include "common/kept_memory.h"
 #include "common/one_line.h"
 #include "common/outcome_text.h"
 #include "common/output_folder.h"
@@ -239,6 +240,7 @@ standardOutput (const Options& options)
 int
 run (const Options& given)
 {
+  keepFreedMemory();
   Options options = given;
   if (options.merge)
     return mergeShards (options.output, kProgram) ? 0 : kNotConverged;

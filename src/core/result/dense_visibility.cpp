@@ -153,16 +153,20 @@ supportOf (cv::Size size,
  * in the image. */
 class Surroundings {
 public:
-  explicit Surroundings (const kernel::Image& image)
+  Surroundings (const kernel::Image& image, int threads)
   {
     // OpenCV takes no const data; nothing writes to it.
     const cv::Mat texels (
         image.height, image.width, CV_32FC2, const_cast<float*> (image.texels));
-    inThisThread ([&] {
-      cv::Mat inverse_depth;
-      cv::extractChannel (texels, inverse_depth, 1);
-      cv::erode (inverse_depth, least_, cv::Mat());
-      cv::dilate (inverse_depth, greatest_, cv::Mat());
+    cv::Mat inverse_depth;
+    cv::extractChannel (texels, inverse_depth, 1);
+    parallelFor (threads, 2, 1, [&] (int i) {
+      inThisThread ([&] {
+        if (i == 0)
+          cv::erode (inverse_depth, least_, cv::Mat());
+        else
+          cv::dilate (inverse_depth, greatest_, cv::Mat());
+      });
     });
   }
 
@@ -251,7 +255,7 @@ fillVisibility (const SegmentPixels& p,
       result.labels.size(), CV_8UC1, cv::Scalar (pixelValue (Visibility::NoDepth)));
   const Landings landings (p, image, tuning, result);
   const float wider = widening (landings, p, tuning);
-  const Surroundings surroundings (image);
+  const Surroundings surroundings (image, threads);
   parallelFor (threads, p.segments(), 8, [&] (int k) {
     SegmentMotion& segment = result.segments[k];
     const bool known = segment.status != MotionStatus::Undetermined;
