@@ -16,7 +16,7 @@ namespace pcl_msf {
 namespace {
 
 /** Threads that share one loop of OpenCV, that of the first; it stays in it until the
- * last has left. Those that come while it waits for that take the next one. */
+ * last has left. Those that come when all others have take the next one. */
 class SharedLoop {
 public:
   /** \brief The one of this process; a forked process has a new one, as the threads
@@ -59,13 +59,20 @@ private:
   join ()
   {
     std::unique_lock<std::mutex> lock (mutex_);
-    changed_.wait (lock,
-                   [this] { return state_ == State::Free || state_ == State::Held; });
+    changed_.wait (lock, [this] {
+      return state_ == State::Free || state_ == State::Held || keptOpen();
+    });
     ++threads_;
-    if (state_ == State::Held)
+    if (state_ != State::Free)
       return true;
     state_ = State::Entering;
     return false;
+  }
+  /** Does the first thread wait for others? One of these may wait for this one. */
+  bool
+  keptOpen () const
+  {
+    return state_ == State::Leaving && threads_ > 1;
   }
   void
   become (State state)

@@ -15,9 +15,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstring>
 #include <filesystem>
+#include <future>
 #include <set>
+#include <thread>
 
 namespace {
 
@@ -322,6 +325,28 @@ TEST (RegistrationThreads, TwoSideBySideDoAsEachAlone)
     beside.join();
     EXPECT_TRUE (sameBits (own, alone) && sameBits (other, alone)) << threads;
   }
+}
+
+TEST (OpenCvThreads, TheLastToLeaveLetsThoseInWhomOthersWaitFor)
+{
+  std::promise<void> first_is_in;
+  std::promise<void> second_is_in;
+  std::thread first ([&] {
+    inThisThread ([&] {
+      first_is_in.set_value();
+      second_is_in.get_future().wait();
+    }); // stays until the second has left
+  });
+  first_is_in.get_future().wait();
+  bool helped = false;
+  inThisThread ([&] {
+    second_is_in.set_value();
+    std::this_thread::sleep_for (std::chrono::milliseconds (50));
+    std::thread helper ([&] { inThisThread ([&] { helped = true; }); });
+    helper.join();
+  });
+  first.join();
+  EXPECT_TRUE (helped);
 }
 
 } // namespace
