@@ -4,9 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <opencv2/core/utility.hpp>
-
-#include "core/base/opencv_threads.h"
 #include "core/base/parallel_for.h"
 #include "support/box_chain.h"
 #include "support/rigid_pair.h"
@@ -15,10 +12,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <cstring>
 #include <filesystem>
-#include <future>
 #include <set>
 #include <thread>
 
@@ -159,53 +154,6 @@ TEST (ParallelFor, WorksInAForkedProcess)
   loop (3);
 }
 
-/** The threads that a loop of OpenCV runs on. */
-std::set<std::thread::id>
-threadsOfOpenCv ()
-{
-  std::mutex mutex;
-  std::set<std::thread::id> ids;
-  cv::parallel_for_ ({0, 64}, [&] (const cv::Range&) {
-    std::this_thread::sleep_for (std::chrono::milliseconds (1));
-    const std::lock_guard<std::mutex> lock (mutex);
-    ids.insert (std::this_thread::get_id());
-  });
-  return ids;
-}
-
-TEST (OpenCvThreads, StayInThisThreadAlsoSideBySide)
-{
-  const int setting = cv::getNumThreads();
-  cv::setNumThreads (2);
-  std::atomic<int> others{0};
-  std::vector<std::thread> users;
-  for (int t = 0; t < 4; ++t)
-    users.emplace_back ([&, t] {
-      for (int i = 0; i < 20; ++i)
-        withThreads (1, [&] {
-          for (int k = 0; k < 1 + (i + t) % 3; ++k)
-            others += threadsOfOpenCv() !=
-                              std::set<std::thread::id>{std::this_thread::get_id()}
-                          ? 1
-                          : 0;
-        });
-    });
-  for (std::thread& user : users)
-    user.join();
-  EXPECT_EQ (others, 0);
-  EXPECT_EQ (cv::getNumThreads(), 2) << "nothing is set";
-  cv::setNumThreads (setting);
-}
-
-TEST (OpenCvThreads, ExceptionsComeThrough)
-{
-  EXPECT_THROW (inThisThread ([] { throw std::runtime_error ("as wanted"); }),
-                std::runtime_error);
-  bool called = false;
-  inThisThread ([&] { inThisThread ([&] { called = true; }); });
-  EXPECT_TRUE (called);
-}
-
 /** Two boxes without a grid. */
 Cloud::Ptr
 boxes (bool moved)
@@ -325,28 +273,6 @@ TEST (RegistrationThreads, TwoSideBySideDoAsEachAlone)
     beside.join();
     EXPECT_TRUE (sameBits (own, alone) && sameBits (other, alone)) << threads;
   }
-}
-
-TEST (OpenCvThreads, TheLastToLeaveLetsThoseInWhomOthersWaitFor)
-{
-  std::promise<void> first_is_in;
-  std::promise<void> second_is_in;
-  std::thread first ([&] {
-    inThisThread ([&] {
-      first_is_in.set_value();
-      second_is_in.get_future().wait();
-    }); // stays until the second has left
-  });
-  first_is_in.get_future().wait();
-  bool helped = false;
-  inThisThread ([&] {
-    second_is_in.set_value();
-    std::this_thread::sleep_for (std::chrono::milliseconds (50));
-    std::thread helper ([&] { inThisThread ([&] { helped = true; }); });
-    helper.join();
-  });
-  first.join();
-  EXPECT_TRUE (helped);
 }
 
 } // namespace
