@@ -52,6 +52,7 @@ struct EnergyWindow {
   : scene (analytic), pairs (count, reference), window{frames, pairs, 2, 1}
   {
     window.tuning.data.finest_thinning = 1;
+    window.tuning.data.least_thinned = 1; // small as it is, where a test has it thinned
     FrameParameters plain;
     plain.smoothing_sigma = 0.0;
     plain.max_levels = 1;

@@ -140,6 +140,17 @@ Texture::image() const
           static_cast<float> (camera_.cy)};
 }
 
+void
+Texture::subtract (const cv::Mat& image, float share, int threads)
+{
+  parallelFor (threads, texels_.rows, 32, [&] (int y) {
+    const float* off = image.ptr<float> (y);
+    cv::Vec2f* texel = texels_.ptr<cv::Vec2f> (y);
+    for (int x = 0; x < texels_.cols; ++x)
+      texel[x][0] -= share * off[x];
+  });
+}
+
 DataTerm::DataTerm (const SegmentPixels& pixels,
                     const Texture& texture,
                     const kernel::Rules& rules,

@@ -47,6 +47,10 @@ public:
   kernel::Image
   image () const;
 
+  /** \brief Takes some share of an image's off its intensities. */
+  void
+  subtract (const cv::Mat& image, float share, int threads);
+
 private:
   cv::Mat texels_; ///< CV_32FC2
   PinholeCamera camera_;

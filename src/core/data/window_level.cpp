@@ -12,6 +12,33 @@
 
 namespace pcl_msf {
 
+namespace {
+
+/** Of a level with few pixels all are taken. */
+int
+thinningOf (const WindowScene& scene, int level)
+{
+  const DataTuning& tuning = scene.tuning.data;
+  const std::size_t pixels =
+      scene.frames[scene.pairs.reference()].levels()[level].inverse_depth.total();
+  if (level > 1 || pixels < static_cast<std::size_t> (tuning.least_thinned))
+    return 1;
+  return level == 0 ? tuning.finest_thinning : tuning.half_thinning;
+}
+
+} // namespace
+
+double
+meanShare (const WindowScene& scene, int level)
+{
+  if (scene.change.local)
+    return 0.0;
+  const int side = (2 * scene.tuning.frame.brightness.contrast_radius + 1) << level;
+  const double tile = scene.tuning.data.correlation.tile; // that the area was found in
+  const double inside = std::min (1.0, side * side / (tile * tile));
+  return 1.0 / std::sqrt (1.0 + (scene.brightness_area - 1.0) * inside);
+}
+
 PointOptions
 pointOptions (const WindowScene& scene, int level)
 {
@@ -22,9 +49,7 @@ pointOptions (const WindowScene& scene, int level)
           0,
           scene.threads,
           level,
-          level == 0   ? tuning.finest_thinning
-          : level == 1 ? tuning.half_thinning
-                       : 1,
+          thinningOf (scene, level),
           scene.tuning.segments.pixels};
 }
 
@@ -37,23 +62,6 @@ probePoints (const FrameLevel& level,
   options.max_per_segment = scene.tuning.data.probes;
   return groupPixels (level, labels, scene.segments, options);
 }
-
-namespace {
-
-/** What local means of intensity count beside contrast: all that errs alike over them
- * makes them as unsure as whitened residuals have it, and a change of light more. */
-double
-meanShare (const WindowScene& scene, int level)
-{
-  if (scene.change.local)
-    return 0.0;
-  const int side = (2 * scene.tuning.frame.brightness.contrast_radius + 1) << level;
-  const double tile = scene.tuning.data.correlation.tile; // that the area was found in
-  const double inside = std::min (1.0, side * side / (tile * tile));
-  return 1.0 / std::sqrt (1.0 + (scene.brightness_area - 1.0) * inside);
-}
-
-} // namespace
 
 cv::Mat
 comparableIntensity (const WindowScene& scene, int f, int level)
@@ -78,17 +86,20 @@ prepareFrame (const WindowScene& scene,
               int level,
               const cv::Mat& labels,
               const PointOptions& options,
-              bool results,
+              const LevelNeeds& needs,
               LevelPoints& out)
 {
   FrameLevel frame = scene.frames[f].levels()[level];
   frame.intensity = comparableIntensity (scene, f, level);
+  if (needs.means && !scene.change.local)
+    out.means[f] =
+        localMeans (frame.intensity, scene.tuning.frame.brightness.contrast_radius);
   const bool reference = f == scene.pairs.reference();
   if (reference && level == 0 && !scene.fused_depth.empty())
     frame.inverse_depth = scene.fused_depth;
   if (!labels.empty())
     out.pixels[f] = groupPixels (frame, labels, scene.segments, options);
-  if (reference && results && options.thinning > 1) {
+  if (reference && needs.results && options.thinning > 1) {
     PointOptions all = options;
     all.thinning = 1;
     out.whole = std::make_unique<SegmentPixels> (
@@ -107,7 +118,7 @@ prepareLevel (const WindowScene& scene,
               int level,
               const std::vector<cv::Mat>& labels,
               const PointOptions& options,
-              bool results)
+              const LevelNeeds& needs)
 {
   const int count = static_cast<int> (scene.frames.size());
   const bool many = count > 2; // else threads share a frame's points
@@ -117,10 +128,29 @@ prepareLevel (const WindowScene& scene,
   LevelPoints points;
   points.pixels.resize (count);
   points.textures.resize (count);
+  points.means.resize (count);
   parallelFor (many ? options.threads : 1, count, 1, [&] (int f) {
-    prepareFrame (scene, f, level, labels[f], of_frame, results, points);
+    prepareFrame (scene, f, level, labels[f], of_frame, needs, points);
   });
   return points;
+}
+
+void
+leaveMeansOut (const WindowScene& scene, int level, LevelPoints& points)
+{
+  const int reference = scene.pairs.reference();
+  const cv::Mat& means = points.means[reference];
+  const auto share = static_cast<float> (1.0 - meanShare (scene, level));
+  if (means.empty() || share <= 0.0f)
+    return;
+  for (SegmentPixels* pixels : {&points.pixels[reference], &points.probes})
+    for (std::size_t i = 0; i < pixels->pixel.size(); ++i) {
+      const int v = pixels->pixel[i] / means.cols;
+      const float mean = means.ptr<float> (v)[pixels->pixel[i] - v * means.cols];
+      pixels->intensity[i] -= share * (scene.change.gain * mean + scene.change.offset);
+    }
+  points.textures[1 - reference]->subtract (
+      points.means[1 - reference], share, scene.threads);
 }
 
 WindowLevel::WindowLevel (const WindowScene& scene,

@@ -33,8 +33,9 @@ struct WindowScene {
   /** ... or, as a window of several pairs needs it, all frames to the reference's: per
    * frame, its intensity from the reference's; empty leaves them as they are. */
   std::vector<BrightnessChange> exposure{};
-  /** Of a window: pixels of level 0 over which brightness errs alike, as adjacent
-   * frames told. It says less about local means than about contrast then. */
+  /** Pixels of level 0 over which brightness errs alike, as a window's adjacent frames
+   * told or level 1 of a pair, before means were left out; 1: not known. It says less
+   * about local means than about contrast then. */
   double brightness_area{1.0};
   double falloff{0.0}; ///< of brightness towards the corners, see fitFalloff
   std::unique_ptr<FlowEvidence> flow{}; ///< of the only pair; or none
@@ -44,6 +45,12 @@ struct WindowScene {
 /** \brief How points of a level are made. */
 PointOptions
 pointOptions (const WindowScene& scene, int level);
+
+/** \brief What local means of intensity count at a level beside contrast, in [0, 1]:
+ * all that errs alike over them makes them as unsure as whitened residuals have it, and
+ * a change of light more. */
+double
+meanShare (const WindowScene& scene, int level);
 
 /** \brief A sample of a level's points, for comparing poses. */
 SegmentPixels
@@ -66,17 +73,30 @@ struct LevelPoints {
                                                   ///< are wanted
   SegmentPixels probes;                           ///< a sample of the reference's
   std::vector<std::unique_ptr<Texture>> textures; ///< per frame
+  std::vector<cv::Mat> means; ///< per frame, of intensity, see LevelNeeds
+};
+
+/** \brief What is wanted of a level beside its solve. */
+struct LevelNeeds {
+  bool results{false}; ///< dense ones: all of the reference's points
+  bool means{false};   ///< local means of intensity, to be left out later
 };
 
 /** \brief Prepares a level. Of the scene it reads the frames, exposures and fused
  * depth, but no noise: that of the options counts. \param labels per frame, of this
- * level; empty for frames that no pair starts from \param results are wanted of it */
+ * level; empty for frames that no pair starts from */
 LevelPoints
 prepareLevel (const WindowScene& scene,
               int level,
               const std::vector<cv::Mat>& labels,
               const PointOptions& options,
-              bool results = false);
+              const LevelNeeds& needs = {});
+
+/** \brief Has local means of a pair's intensities count as the scene's area says, on a
+ * level that was prepared with its means before that was known; the results' points
+ * keep theirs. */
+void
+leaveMeansOut (const WindowScene& scene, int level, LevelPoints& points);
 
 /** \brief One pyramid level of a window: every frame's points grouped by the segments
  * carried there, every frame's texture, shared by all pairs; a data term per pair. */

@@ -120,16 +120,23 @@ lightChanged (const MatchedIntensities& matches,
 }
 
 cv::Mat
+localMeans (const cv::Mat& intensity, int radius)
+{
+  cv::Mat means;
+  const int side = 2 * radius + 1;
+  if (!intensity.empty())
+    inThisThread ([&] {
+      cv::blur (intensity, means, {side, side}, {-1, -1}, cv::BORDER_REFLECT);
+    });
+  return means;
+}
+
+cv::Mat
 localContrast (const cv::Mat& intensity, int radius, double mean_share)
 {
-  cv::Mat mean;
   if (intensity.empty())
-    return mean;
-  const int side = 2 * radius + 1;
-  inThisThread ([&] {
-    cv::blur (intensity, mean, {side, side}, {-1, -1}, cv::BORDER_REFLECT);
-  });
-  return intensity - (1.0 - mean_share) * mean;
+    return {};
+  return intensity - (1.0 - mean_share) * localMeans (intensity, radius);
 }
 
 } // namespace pcl_msf

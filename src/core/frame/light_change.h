@@ -21,6 +21,11 @@ lightChanged (const MatchedIntensities& matches,
               const BrightnessChange& exposure,
               const BrightnessTuning& tuning);
 
+/** \brief Means of an image within some pixels around. \param intensity CV_32FC1; may
+ * be empty */
+cv::Mat
+localMeans (const cv::Mat& intensity, int radius);
+
 /** \brief An image less its mean within some pixels around: what stays of it under
  * another light. \param intensity CV_32FC1; may be empty \param mean_share of the mean
  * that stays, in [0, 1] */

@@ -18,10 +18,11 @@ struct FrameTracker::Following {
   std::vector<RigidPose> before; ///< per segment, to the frame before that one
   std::vector<SegmentLink> links;
   CorrelationAreas areas;
-  std::vector<double> costs; ///< per segment
-  int level{0};              ///< of the labels
-  cv::Mat labels;            ///< of the segments, carried to the newest frame
-  DepthFusion depth;         ///< of the reference
+  double brightness_area{1.0}; ///< see WindowScene
+  std::vector<double> costs;   ///< per segment
+  int level{0};                ///< of the labels
+  cv::Mat labels;              ///< of the segments, carried to the newest frame
+  DepthFusion depth;           ///< of the reference
 
   /** Motion of a segment between the last two frames. */
   RigidPose
@@ -70,8 +71,13 @@ FollowedMotion
 FrameTracker::predictMotion() const
 {
   const Following& last = *following_;
-  FollowedMotion motion{
-      last.state.body_of, {{}, {}}, last.links, last.areas, last.costs, {}};
+  FollowedMotion motion{last.state.body_of,
+                        {{}, {}},
+                        last.links,
+                        last.areas,
+                        last.brightness_area,
+                        last.costs,
+                        {}};
   for (const int k : firstSegments (last.state)) {
     const RigidPose& pose = last.state.poses[0][last.state.body_of[k]];
     motion.guesses[0].push_back (last.lastStep (k) * pose);
@@ -94,7 +100,7 @@ FrameTracker::predictAnew (const Oversegmentation& segments) const
                     segments.size(),
                     last.labels,
                     static_cast<int> (last.state.body_of.size()));
-  FollowedMotion motion{{}, {{}, {}}, {}, last.areas, {}, {}};
+  FollowedMotion motion{{}, {{}, {}}, {}, last.areas, last.brightness_area, {}, {}};
   for (const int k : firstSegments (last.state)) {
     motion.guesses[0].push_back (last.lastStep (k));
     motion.guesses[1].push_back (RigidPose{});
@@ -117,6 +123,7 @@ FrameTracker::learn (const WindowSolve& solve, const Window& window) const
   now->state = solve.state();
   now->links = solve.scene().links;
   now->areas = solve.scene().noise.areas;
+  now->brightness_area = solve.scene().brightness_area;
   now->costs = solve.fit();
   now->level = std::min<int> (1, static_cast<int> (newest.levels().size()) - 1);
   now->labels = solve.labelsIn (1, now->level);

@@ -26,7 +26,7 @@ UpcomingLevels::begin (const WindowScene& scene, std::vector<Request> requests)
                                             request.options.level,
                                             request.labels,
                                             request.options,
-                                            request.results));
+                                            request.needs));
       }
       catch (...) {
         (*made)[i].set_exception (std::current_exception());

@@ -17,7 +17,7 @@ public:
   struct Request {
     std::vector<cv::Mat> labels; ///< as prepareLevel () takes them
     PointOptions options;        ///< the level among them
-    bool results{false};         ///< are wanted of it
+    LevelNeeds needs{};          ///< what is wanted of it
   };
 
   /** \brief Begins to make levels. \param scene must stay */

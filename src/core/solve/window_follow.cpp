@@ -49,6 +49,8 @@ WindowSolve::startFollowing()
 {
   measureNoise();
   scene_.noise.areas = followed_->areas;
+  scene_.brightness_area = 1.0;
+  brightness_area_ = followed_->brightness_area;
   scene_.links = followed_->links;
   scene_.fused_depth = followed_->depth;
   const int at = std::min (scene_.tuning.solve.start_level, levels_ - 1);
@@ -65,11 +67,10 @@ WindowSolve::startFollowing()
   state_.poses = {followed_->guesses.front()};
   guessCommonStep();
   compareExposure (at, points);
-  level_ = std::make_unique<WindowLevel> (
-      scene_,
+  enterPrepared (
       at,
-      prepareLevel (scene_, at, labels, pointOptions (scene_, at), dense_ && at == 0),
-      energy_);
+      prepareLevel (
+          scene_, at, labels, pointOptions (scene_, at), {dense_ && at == 0, at == 0}));
   takeBestGuesses();
   return partLost();
 }

@@ -139,6 +139,7 @@ WindowSolve::start (const RigidPose& guess, const std::vector<KnownStep>& known)
   if (isPair()) {
     measureNoise();
     scene_.change = {};
+    scene_.brightness_area = brightness_area_ = 1.0;
     scene_.fused_depth = cv::Mat();
     const int at = std::min (scene_.tuning.solve.start_level, levels_ - 1);
     std::vector<RigidPose> poses =
@@ -159,47 +160,6 @@ WindowSolve::start (const RigidPose& guess, const std::vector<KnownStep>& known)
   state_ = start.state();
 }
 
-/** A round's level, with segments carried by the present poses. */
-void
-WindowSolve::enterLevel (const Round& round)
-{
-  if (upcoming_.has (round.level)) {
-    level_ = std::make_unique<WindowLevel> (
-        scene_, round.level, upcoming_.take (round.level), energy_);
-    return;
-  }
-  const std::vector<cv::Mat> labels = carryLabels (round.level);
-  if (!isPair())
-    fitExposures (round.level, labels[pairs_.reference()]);
-  if (round.fuse)
-    fuseDepth();
-  const PointOptions options = pointOptions (scene_, round.level);
-  level_ = std::make_unique<WindowLevel> (
-      scene_,
-      round.level,
-      prepareLevel (scene_, round.level, labels, options, dense_ && round.results),
-      energy_);
-}
-
-/** Of two frames, points of a level depend on nothing that the solve finds: another
- * thread makes those of all later levels, while this one has much to do alone. */
-void
-WindowSolve::prepareUpcoming (const std::vector<Round>& later)
-{
-  if (!isPair() || scene_.threads == 1)
-    return;
-  std::vector<UpcomingLevels::Request> requests;
-  for (const Round& round : later)
-    if (round.anew) {
-      requests.push_back ({carryLabels (round.level),
-                           pointOptions (scene_, round.level),
-                           dense_ && round.results});
-      requests.back().options.threads = 1;
-    }
-  if (!requests.empty())
-    upcoming_.begin (scene_, std::move (requests));
-}
-
 void
 WindowSolve::round (const Round& round)
 {
@@ -216,6 +176,8 @@ WindowSolve::round (const Round& round)
     merge();
     if (isPair()) // the start of a window has measured it over all of its pairs
       measureCorrelation (round.level);
+    if (isPair() && round.anew) // later, bodies err by what they join, too
+      brightness_area_ = scene_.noise.areas.brightness;
   }
   if (round.rescale_noise)
     level_->rescaleBodyNoise (state_);

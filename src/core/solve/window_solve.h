@@ -22,6 +22,7 @@ struct FollowedMotion {
   std::vector<std::vector<RigidPose>> guesses;
   std::vector<SegmentLink> links; ///< empty: not known yet
   CorrelationAreas areas;         ///< of that frame's residuals
+  double brightness_area{1.0};    ///< see WindowScene
   std::vector<double> costs;      ///< per segment, see WindowSolve::fit ()
   cv::Mat depth; ///< of the reference, with what other frames measured; see DepthFusion
 };
@@ -183,6 +184,10 @@ private:
   round (const Round& round);
   void
   enterLevel (const Round& round);
+  LevelNeeds
+  needsOf (const Round& round) const;
+  void
+  enterPrepared (int level, LevelPoints points);
   void
   prepareUpcoming (const std::vector<Round>& later);
   std::vector<cv::Mat>
@@ -241,6 +246,7 @@ private:
   bool dense_{true};
   WindowState state_;
   std::vector<double> fit_;
+  double brightness_area_{1.0};        ///< of the scene, once level 0 is entered
   std::unique_ptr<WindowLevel> level_; ///< the present one
   Report report_;
   UpcomingLevels upcoming_; ///< after the first

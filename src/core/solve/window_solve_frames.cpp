@@ -7,8 +7,10 @@
 #include "core/window/segment_carrier.h"
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
-/* What WindowSolve's present poses tell about the frames. */
+/* The levels of WindowSolve, by what its present poses tell about the frames. */
 namespace pcl_msf {
 
 cv::Mat
@@ -83,6 +85,60 @@ WindowSolve::fuseDepth()
                   scene_.tuning.window.fusion,
                   scene_.threads);
   scene_.fused_depth = fusion.average();
+}
+
+/** A round's level, with segments carried by the present poses. */
+void
+WindowSolve::enterLevel (const Round& round)
+{
+  if (upcoming_.has (round.level)) {
+    enterPrepared (round.level, upcoming_.take (round.level));
+    return;
+  }
+  const std::vector<cv::Mat> labels = carryLabels (round.level);
+  if (!isPair())
+    fitExposures (round.level, labels[pairs_.reference()]);
+  if (round.fuse)
+    fuseDepth();
+  const PointOptions options = pointOptions (scene_, round.level);
+  enterPrepared (round.level,
+                 prepareLevel (scene_, round.level, labels, options, needsOf (round)));
+}
+
+LevelNeeds
+WindowSolve::needsOf (const Round& round) const
+{
+  return {dense_ && round.results, isPair() && round.level == 0};
+}
+
+/** Of two frames, level 1 tells what the finest one's brightness is worth. */
+void
+WindowSolve::enterPrepared (int level, LevelPoints points)
+{
+  if (isPair() && level == 0) {
+    scene_.brightness_area = brightness_area_;
+    leaveMeansOut (scene_, level, points);
+  }
+  level_ = std::make_unique<WindowLevel> (scene_, level, std::move (points), energy_);
+}
+
+/** Of two frames, points of a level depend on nothing that the solve finds: another
+ * thread makes those of all later levels, while this one has much to do alone. */
+void
+WindowSolve::prepareUpcoming (const std::vector<Round>& later)
+{
+  if (!isPair() || scene_.threads == 1)
+    return;
+  std::vector<UpcomingLevels::Request> requests;
+  for (const Round& round : later)
+    if (round.anew) {
+      requests.push_back ({carryLabels (round.level),
+                           pointOptions (scene_, round.level),
+                           needsOf (round)});
+      requests.back().options.threads = 1;
+    }
+  if (!requests.empty())
+    upcoming_.begin (scene_, std::move (requests));
 }
 
 } // namespace pcl_msf

@@ -63,7 +63,8 @@ WindowSolve::refine (int frame, SceneFlow& result) const
         reference, frames_[frame], scene_.tuning.start.flow, scene_.threads);
   const BrightnessChange& change = scene_.change;
   const ComparedImages images{
-      change.gain * comparableIntensity (scene_, pairs_.reference(), 0) + change.offset,
+      change.gain * comparableIntensity (scene_, pairs_.reference(), 0) +
+          meanShare (scene_, 0) * change.offset,
       comparableIntensity (scene_, frame, 0),
       std::sqrt (2.0) * scene_.noise.intensity,
       optical.ofSize (result.labels.size())};

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "core/data/window_level.h"
+#include "support/analytic_scene.h"
 #include "support/window_scene.h"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace {
@@ -54,7 +57,7 @@ protected:
     level_ = std::make_unique<WindowLevel> (
         window_.window,
         0,
-        prepareLevel (window_.window, 0, window_.labels, options, true),
+        prepareLevel (window_.window, 0, window_.labels, options, {true}),
         EnergyParameters());
   }
 
@@ -72,11 +75,10 @@ TEST_F (ThinnedLevel, KeepsAllPointsOfTheReference)
     EXPECT_NEAR (solved.pixels (k), whole.pixels (k), 0.05 * whole.pixels (k));
   }
   const PointOptions options = pointOptions (window_.window, 0);
-  const WindowLevel without (
-      window_.window,
-      0,
-      prepareLevel (window_.window, 0, window_.labels, options, false),
-      EnergyParameters());
+  const WindowLevel without (window_.window,
+                             0,
+                             prepareLevel (window_.window, 0, window_.labels, options),
+                             EnergyParameters());
   EXPECT_EQ (&without.wholeReference(), &without.pixels (0));
 }
 
@@ -96,6 +98,93 @@ TEST_F (ThinnedLevel, SumsAreAboutThoseOfAllPoints)
                    all.data (p).totalWeight (k),
                    0.05 * all.data (p).totalWeight (k));
     }
+}
+
+/** A pair of one view, the second with another exposure; level 0 prepared with means.
+ */
+class ExposedPair : public ::testing::Test {
+protected:
+  ExposedPair() : pairs_ (2, 0), scene_{frames_, pairs_, 1, 2}
+  {
+    test::AnalyticScene wall;
+    wall.quads.push_back ({{-4, -3, 2.5}, {8, 0, 0}, {0, 6, 0}, 0, 0.9});
+    wall.motions.resize (2);
+    test::View view = wall.render (false);
+    frames_.push_back (wall.frame (view));
+    view.color = kGain * view.color + kOffset;
+    frames_.push_back (wall.frame (view));
+    scene_.used = {0};
+    scene_.change = {kGain, kOffset};
+    labels_ = {view.body, cv::Mat()};
+  }
+  LevelPoints
+  prepared () const
+  {
+    return prepareLevel (
+        scene_, 0, labels_, pointOptions (scene_, 0), {false, /*means*/ true});
+  }
+  /** Largest difference of a point's intensity from that of its pixel in the other
+   * frame. */
+  double
+  largestMisfit (const LevelPoints& points) const
+  {
+    const kernel::Image image = points.textures[1]->image();
+    const SegmentPixels& reference = points.pixels[0];
+    double largest = 0.0;
+    for (std::size_t i = 0; i < reference.pixel.size(); ++i)
+      largest = std::max<double> (
+          largest,
+          std::abs (reference.intensity[i] - image.texels[2 * reference.pixel[i]]));
+    return largest;
+  }
+
+  static constexpr float kGain = 0.8f;
+  static constexpr float kOffset = 0.05f;
+  std::vector<RgbdFrame> frames_;
+  FramePairs pairs_;
+  WindowScene scene_;
+  std::vector<cv::Mat> labels_;
+};
+
+TEST_F (ExposedPair, FitsWhateverItsMeansCount)
+{
+  for (const double area : {1.0, 5.0, 100.0}) {
+    scene_.brightness_area = 1.0;
+    LevelPoints points = prepared();
+    const std::vector<float> before = points.pixels[0].intensity;
+    scene_.brightness_area = area;
+    leaveMeansOut (scene_, 0, points);
+    EXPECT_LT (largestMisfit (points), 1e-4) << area;
+    EXPECT_EQ (points.pixels[0].intensity == before, area == 1.0) << area;
+  }
+}
+
+TEST_F (ExposedPair, KeepsOfItsMeansWhatTheyCount)
+{
+  LevelPoints points = prepared();
+  const std::vector<float> before = points.pixels[0].intensity;
+  const std::vector<float> probes = points.probes.intensity;
+  // A quarter of the means' worth, as above.
+  scene_.brightness_area = 1.0 + 15.0 * 256.0 / 81.0;
+  leaveMeansOut (scene_, 0, points);
+  const auto expect_less = [&] (const SegmentPixels& now,
+                                const std::vector<float>& was) {
+    ASSERT_FALSE (now.pixel.empty());
+    for (std::size_t i = 0; i < now.pixel.size(); i += 17) {
+      const int width = points.means[0].cols;
+      const float mean =
+          points.means[0].at<float> (now.pixel[i] / width, now.pixel[i] % width);
+      ASSERT_NEAR (now.intensity[i], was[i] - 0.75 * (kGain * mean + kOffset), 1e-5);
+    }
+  };
+  expect_less (points.pixels[0], before);
+  expect_less (points.probes, probes);
+}
+
+TEST_F (ExposedPair, HasNoMeansUnderAnotherLight)
+{
+  scene_.change = {kGain, 0.0f, /*local*/ true};
+  EXPECT_TRUE (prepared().means[0].empty());
 }
 
 } // namespace

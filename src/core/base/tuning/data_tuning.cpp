@@ -15,6 +15,7 @@ listValues (DataTuning& tuning, TunedValues& values)
       {"data.relative_tolerance", &tuning.relative_tolerance, 0, 1},
       {"data.finest_thinning", &tuning.finest_thinning, 1, 4},
       {"data.half_thinning", &tuning.half_thinning, 1, 4},
+      {"data.least_thinned", &tuning.least_thinned, 1, 1e9},
       {"data.missing.wrong_match", &missing.wrong_match, 2.5, 100},
       {"data.missing.no_depth", &missing.no_depth, 0, 100},
       {"data.missing.occluded", &missing.occluded, 0, 4},

@@ -50,11 +50,13 @@ struct DataTuning {
   double relative_tolerance{0.01}; ///< of the inverse depth, in the z-test at level 0;
                                    ///< doubles per level: more sees hidden points, less
                                    ///< hides seen ones
-  int finest_thinning{4}; ///< pixels of level 0 that a point of a solve stands for,
-                          ///< 1, 2 or 4; more is faster and less precise where noise
-                          ///< is white; see "Solves take a pattern of the pixels" in
-                          ///< DECISIONS.md
-  int half_thinning{2};   ///< likewise, of level 1
+  int finest_thinning{4};   ///< pixels of level 0 that a point of a solve stands for,
+                            ///< 1, 2 or 4; more is faster and less precise where noise
+                            ///< is white; see "Solves take a pattern of the pixels" in
+                            ///< DECISIONS.md
+  int half_thinning{2};     ///< likewise, of level 1
+  int least_thinned{50000}; ///< pixels of a level that is thinned: in small images
+                            ///< noise averages less
   MissingTuning missing;
   CorrelationTuning correlation;
   BodyNoiseTuning body_noise;
