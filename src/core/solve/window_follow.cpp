@@ -49,8 +49,7 @@ WindowSolve::startFollowing()
 {
   measureNoise();
   scene_.noise.areas = followed_->areas;
-  scene_.brightness_area = 1.0;
-  brightness_area_ = followed_->brightness_area;
+  scene_.brightness_area = brightness_area_ = followed_->brightness_area;
   scene_.links = followed_->links;
   scene_.fused_depth = followed_->depth;
   const int at = std::min (scene_.tuning.solve.start_level, levels_ - 1);
@@ -70,7 +69,7 @@ WindowSolve::startFollowing()
   enterPrepared (
       at,
       prepareLevel (
-          scene_, at, labels, pointOptions (scene_, at), {dense_ && at == 0, at == 0}));
+          scene_, at, labels, pointOptions (scene_, at), {dense_ && at == 0, false}));
   takeBestGuesses();
   return partLost();
 }

@@ -108,7 +108,7 @@ WindowSolve::enterLevel (const Round& round)
 LevelNeeds
 WindowSolve::needsOf (const Round& round) const
 {
-  return {dense_ && round.results, isPair() && round.level == 0};
+  return {dense_ && round.results, isPair() && !follows_ && round.level == 0};
 }
 
 /** Of two frames, level 1 tells what the finest one's brightness is worth. */
