@@ -89,26 +89,22 @@ WindowSolve::addSpreads (std::vector<Round>& rounds) const
   }
 }
 
-/** The start leaves apart what may be one over all pairs, as textureless pieces of one
- * surface, which the solve would let drift: bodies merge first. */
+/** The start has solved the pairs from the reference, and segments that moved alike
+ * into all frames are bodies already. Those merge before the first solve: what the
+ * frames tell together they did not tell one by one. Half resolution is left out: the
+ * start has been there, and a joint solve of it drags bodies away by shades that differ
+ * between frames. */
 std::vector<WindowSolve::Round>
 WindowSolve::windowSchedule() const
 {
   const int few = std::min (user_.max_iterations, scene_.tuning.solve.later_iterations);
-  const double third = (1.0 - kStartShare) / 3.0;
-  std::vector<Round> rounds;
-  for (int i = 0; i < 3; ++i) {
-    Round round{"window",
-                std::min (i == 0 ? 1 : 0, levels_ - 1),
-                kStartShare + i * third,
-                kStartShare + (i + 1) * third,
-                i == 0 ? user_.max_iterations : few};
-    round.presort = i == 0;
-    round.rescale_noise = i > 0;
-    round.merge = i < 2;
-    round.fuse = round.results = i == 2;
-    rounds.push_back (round);
-  }
+  const double middle = 0.5 * (1.0 + kStartShare);
+  std::vector<Round> rounds{{"window", 0, kStartShare, middle, few},
+                            {"window", 0, middle, 1.0, few}};
+  rounds.front().presort = rounds.front().merge = true;
+  rounds.back().fuse = rounds.back().results = true;
+  for (Round& round : rounds)
+    round.rescale_noise = true;
   return rounds;
 }
 

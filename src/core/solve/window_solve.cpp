@@ -100,6 +100,15 @@ WindowSolve::solve (const RigidPose& guess, int finest_level)
   solve (pairSchedule (finest_level));
 }
 
+bool
+WindowSolve::solveFollowed()
+{
+  follows_ = startFollowing();
+  if (follows_)
+    solve (followSchedule());
+  return follows_;
+}
+
 void
 WindowSolve::solve (const std::vector<Round>& schedule)
 {

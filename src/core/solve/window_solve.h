@@ -31,9 +31,9 @@ struct FollowedMotion {
  * to results: a start, then a schedule of rounds.
  *
  * Two frames start with poses that optical flow suggests and go from coarse to fine. A
- * window of more starts with its adjacent frames, solved down to level 1, and minimizes
- * over all pairs at the two finest levels, in each round with the segments carried anew
- * by the present poses. */
+ * window of more starts with its frames one by one (WindowStart) and minimizes over all
+ * pairs at the finest level, in each round with the segments carried anew by the
+ * present poses. */
 class WindowSolve {
 public:
   WindowSolve (const std::vector<RgbdFrame>& frames,
@@ -92,6 +92,11 @@ public:
   void
   solve (const RigidPose& guess, int finest_level);
 
+  /** \brief Two frames: the whole of what follow () begins, without a result. \return
+   * did the motions explain the frame? Else nothing was solved. */
+  bool
+  solveFollowed ();
+
   /** \brief Labels of a frame at a level, carried there by the present poses. */
   cv::Mat
   labelsIn (int frame, int level = 0) const;
@@ -106,6 +111,13 @@ public:
   fit () const
   {
     return fit_;
+  }
+  /** \brief Two frames: what the finest level's brightness errs alike, see WindowScene.
+   */
+  double
+  brightnessArea () const
+  {
+    return brightness_area_;
   }
   const WindowScene&
   scene () const

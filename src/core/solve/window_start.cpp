@@ -15,7 +15,7 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr int kFinestLevel = 1; // of the adjacent solves; the window solves the finest
+constexpr int kFinestLevel = 1; // of two adjacent frames; the window solves the finest
 
 /** The labels that points with depth bear, ascending. */
 std::vector<int>
@@ -66,27 +66,42 @@ WindowStart::run (const RigidPose& guess, const std::vector<KnownStep>& known)
     RigidPose start = direction > 0 || pairs_.reference() == pairs_.frames() - 1
                           ? guess
                           : RigidPose{};
-    int from = pairs_.reference();
+    int before = pairs_.reference();
+    int from = before;
+    learnt_.reset();
     for (int to = from + direction; to >= 0 && to < pairs_.frames(); to += direction) {
       const auto step =
           std::find_if (known.begin(), known.end(), [&] (const KnownStep& k) {
             return k.from == from && k.to == to;
           });
-      if (step == known.end())
-        solveStep (from, to, start);
-      else
+      if (step != known.end())
         applyStep (*step);
-      compose (from, to);
+      else if (!followStep (before, from, to))
+        solveStep (from, to, start);
+      if (to_frame_[to].empty())
+        compose (from, to);
       start = dominantPose (steps_[pairs_.between (from, to)]);
+      before = from;
       from = to;
     }
   }
+}
+
+/** With the time that is left. */
+SolverParameters
+WindowStart::solverOfRest() const
+{
+  SolverParameters solver = solver_;
+  if (solver.max_seconds > 0.0) // 0 would be no limit
+    solver.max_seconds = std::max (1e-6, clock_.secondsLeft());
+  return solver;
 }
 
 /** The two-frame solution of two adjacent frames, with the segments carried so far. */
 void
 WindowStart::solveStep (int from, int to, const RigidPose& guess)
 {
+  carryTo (from);
   const FrameLevel& level = frames_[from].levels()[0];
   const std::vector<int> seen =
       labelsInUse (labels_[from], level.inverse_depth, segments_.size());
@@ -97,9 +112,7 @@ WindowStart::solveStep (int from, int to, const RigidPose& guess)
     return;
   const Oversegmentation carried =
       Oversegmentation::fromLabels (labels_[from], frames_[from]);
-  SolverParameters solver = solver_;
-  if (solver.max_seconds > 0.0) // what is left; 0 would be no limit
-    solver.max_seconds = std::max (1e-6, clock_.secondsLeft());
+  const SolverParameters solver = solverOfRest();
   const std::vector<RgbdFrame> pair{frames_[from], frames_[to]};
   WindowSolve solve (pair, 0, carried, energy_, solver, {}, tuning_);
   solve.solve (guess, kFinestLevel);
@@ -114,17 +127,26 @@ WindowStart::solveStep (int from, int to, const RigidPose& guess)
       link_weights_[i] = one_body ? 1.0 : found.weights[i];
     }
   fillUnseen (step);
-  const NoiseModel& noise = solve.scene().noise;
+  takeNoise (solve.scene().noise);
+  learnt_.reset();
+  if (from == pairs_.reference())
+    learn (solve);
+  const BrightnessChange& change = solve.scene().change;
+  light_changed_ = light_changed_ || change.local;
+  exposure_[to].gain = change.gain * exposure_[from].gain;
+  exposure_[to].offset = change.gain * exposure_[from].offset + change.offset;
+}
+
+/** The largest of all solves. */
+void
+WindowStart::takeNoise (const NoiseModel& noise)
+{
   noise_.intensity = std::max (noise_.intensity, noise.intensity);
   noise_.inverse_depth = std::max (noise_.inverse_depth, noise.inverse_depth);
   noise_.areas.brightness = std::max (noise_.areas.brightness, noise.areas.brightness);
   noise_.areas.icp = std::max (noise_.areas.icp, noise.areas.icp);
   noise_.displacement = noise.displacement;
   noise_.relative_depth = noise.relative_depth;
-  const BrightnessChange& change = solve.scene().change;
-  light_changed_ = light_changed_ || change.local;
-  exposure_[to].gain = change.gain * exposure_[from].gain;
-  exposure_[to].offset = change.gain * exposure_[from].offset + change.offset;
 }
 
 void
@@ -192,49 +214,62 @@ WindowStart::centroids() const
   return groupPixels (level, segments_.labels(), segments_.size(), options).centroid;
 }
 
-MotionState
-WindowStart::motionTo (int frame) const
-{
-  return MotionState::fromSegments (to_frame_[frame], 0);
-}
-
+/** A step's motions from the reference. */
 void
 WindowStart::compose (int from, int to)
 {
   const Step& step = steps_[pairs_.between (from, to)];
-  to_frame_[to].resize (segments_.size());
   for (int k = 0; k < segments_.size(); ++k)
-    to_frame_[to][k] = step.poses[k] * to_frame_[from][k];
-  labels_[to] = carryLabels (frames_[pairs_.reference()].levels()[0],
-                             segments_.labels(),
-                             motionTo (to),
-                             frames_[to].levels()[0],
-                             noise_,
-                             tuning_.window.carrier);
+    to_frame_[to].push_back (step.poses[k] * to_frame_[from][k]);
 }
 
-/** Segments on their own: what moved together from frame to frame may part over the
- * whole window. */
+/** The segments' places in a frame. */
+void
+WindowStart::carryTo (int frame)
+{
+  if (labels_[frame].empty())
+    labels_[frame] = carryLabels (frames_[pairs_.reference()].levels()[0],
+                                  segments_.labels(),
+                                  MotionState::fromSegments (to_frame_[frame], 0),
+                                  frames_[frame].levels()[0],
+                                  noise_,
+                                  tuning_.window.carrier);
+}
+
+/** Poses of a pair by concatenation, per segment. */
+std::vector<RigidPose>
+WindowStart::chainedPoses (int pair) const
+{
+  std::vector<bool> inverse;
+  for (const FramePairs::Step& step : pairs_.chain (pair))
+    inverse.push_back (step.inverse);
+  std::vector<RigidPose> poses;
+  for (int k = 0; k < segments_.size(); ++k) {
+    std::vector<RigidPose> chain;
+    for (const FramePairs::Step& step : pairs_.chain (pair))
+      chain.push_back (steps_[step.pair].poses[k]);
+    poses.push_back (concatenate (chain, inverse));
+  }
+  return poses;
+}
+
 WindowState
 WindowStart::state() const
 {
+  std::vector<int> others;
+  for (int f = 0; f < pairs_.frames(); ++f)
+    if (f != pairs_.reference())
+      others.push_back (f);
   WindowState state;
-  for (int k = 0; k < segments_.size(); ++k)
-    state.body_of.push_back (k);
-  for (int p = 0; p < pairs_.count(); ++p) {
-    std::vector<bool> inverse;
-    for (const FramePairs::Step& step : pairs_.chain (p))
-      inverse.push_back (step.inverse);
-    std::vector<RigidPose> poses;
-    for (int k = 0; k < segments_.size(); ++k) {
-      std::vector<RigidPose> chain;
-      for (const FramePairs::Step& step : pairs_.chain (p))
-        chain.push_back (steps_[step.pair].poses[k]);
-      poses.push_back (concatenate (chain, inverse));
-    }
-    state.poses.push_back (poses);
-  }
+  state.body_of = commonBodies (others);
   state.weights.assign (links_.size(), 1.0);
+  for (int p = 0; p < pairs_.count(); ++p) {
+    const std::vector<RigidPose> of_segments = chainedPoses (p);
+    state.poses.emplace_back();
+    for (std::size_t k = 0; k < of_segments.size(); ++k)
+      if (state.body_of[k] == static_cast<int> (state.poses.back().size()))
+        state.poses.back().push_back (of_segments[k]);
+  }
   return state;
 }
 

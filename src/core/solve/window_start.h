@@ -9,9 +9,13 @@
 #include <pcl_msf/oversegmentation.h>
 #include <pcl_msf/parameters.h>
 
+#include <optional>
 #include <vector>
 
 namespace pcl_msf {
+
+struct FollowedMotion;
+class WindowSolve;
 
 /** \brief Motions between two adjacent frames that an earlier window found. */
 struct KnownStep {
@@ -21,10 +25,12 @@ struct KnownStep {
   std::vector<char> known;      ///< per segment
 };
 
-/** \brief What a window's optimization starts from (section 3.3): adjacent frames by
- * the solver of two frames, segments carried from frame to frame, others by
- * concatenation.
- */
+/** \brief What a window's optimization starts from (section 3.3).
+ *
+ * The reference and the frame next to it by the solver of two frames; those beyond are
+ * followed from the reference, where its bodies would be at their last speed. Where a
+ * frame cannot be followed, two adjacent ones are solved, with the segments carried so
+ * far. Pairs between other frames by concatenation. */
 class WindowStart {
 public:
   WindowStart (const std::vector<RgbdFrame>& frames,
@@ -39,7 +45,8 @@ public:
   void
   run (const RigidPose& guess, const std::vector<KnownStep>& known);
 
-  /** \brief One body per segment, poses of non-adjacent pairs by concatenation. */
+  /** \brief Segments that moved alike into all frames are one body; poses of
+   * non-adjacent pairs by concatenation. */
   WindowState
   state () const;
 
@@ -76,6 +83,24 @@ private:
     std::vector<int> body; ///< -1 = the segment is not seen there
   };
 
+  /** What a solve from the reference tells about the next frame. */
+  struct Learnt {
+    std::vector<SegmentLink> links;
+    CorrelationAreas areas;
+    double brightness_area;
+    std::vector<double> costs; ///< per segment
+  };
+
+  bool
+  followStep (int before, int from, int to);
+  FollowedMotion
+  predict (int before, int from) const;
+  void
+  learn (const WindowSolve& solve);
+  SolverParameters
+  solverOfRest () const;
+  void
+  takeNoise (const NoiseModel& noise);
   void
   solveStep (int from, int to, const RigidPose& guess);
   void
@@ -86,10 +111,14 @@ private:
   fillUnseen (Step& step) const;
   RigidPose
   dominantPose (const Step& step) const;
-  MotionState
-  motionTo (int frame) const;
   void
   compose (int from, int to);
+  void
+  carryTo (int frame);
+  std::vector<RigidPose>
+  chainedPoses (int pair) const;
+  std::vector<int>
+  commonBodies (const std::vector<int>& frames) const;
 
   const std::vector<RgbdFrame>& frames_;
   const FramePairs& pairs_;
@@ -98,7 +127,7 @@ private:
   const SolverParameters& solver_;
   const Tuning& tuning_;
   const SolveMonitor clock_;                     ///< of the time budget
-  std::vector<cv::Mat> labels_;                  ///< per frame
+  std::vector<cv::Mat> labels_;                  ///< per frame; empty: not needed yet
   std::vector<Step> steps_;                      ///< per pair; adjacent ones filled
   std::vector<std::vector<RigidPose>> to_frame_; ///< per frame, per segment
   std::vector<BrightnessChange> exposure_;       ///< per frame
@@ -106,6 +135,7 @@ private:
   std::vector<SegmentLink> links_; ///< of the reference
   std::vector<double> link_weights_;
   NoiseModel noise_;
+  std::optional<Learnt> learnt_; ///< of the last frame in this direction
 };
 
 } // namespace pcl_msf
