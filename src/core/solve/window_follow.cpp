@@ -130,8 +130,8 @@ WindowSolve::lostSince (const std::vector<double>& costs) const
   const std::vector<double> now = costsPerResidual();
   std::vector<char> lost (now.size(), 0);
   for (std::size_t k = 0; k < now.size(); ++k)
-    lost[k] = now[k] > scene_.tuning.start.unexplained &&
-              now[k] > costs[k] + scene_.tuning.solve.more_cost;
+    lost[k] = now[k] > scene_.tuning.solve.more_cost +
+                           std::max (costs[k], scene_.tuning.start.unexplained);
   return lost;
 }
 
