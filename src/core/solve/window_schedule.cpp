@@ -89,11 +89,10 @@ WindowSolve::addSpreads (std::vector<Round>& rounds) const
   }
 }
 
-/** The start has solved the pairs from the reference, and segments that moved alike
- * into all frames are bodies already. Those merge before the first solve: what the
- * frames tell together they did not tell one by one. Half resolution is left out: the
- * start has been there, and a joint solve of it drags bodies away by shades that differ
- * between frames. */
+/** The start has solved the pairs from the reference. Bodies merge before the first
+ * solve: what the frames tell together they did not tell one by one. Of coloured frames
+ * half resolution is left out: the start has been there, and a joint solve of it drags
+ * bodies away by shades that differ between frames. */
 std::vector<WindowSolve::Round>
 WindowSolve::windowSchedule() const
 {
@@ -101,10 +100,16 @@ WindowSolve::windowSchedule() const
   const double middle = 0.5 * (1.0 + kStartShare);
   std::vector<Round> rounds{{"window", 0, kStartShare, middle, few},
                             {"window", 0, middle, 1.0, few}};
-  rounds.front().presort = rounds.front().merge = true;
+  rounds.front().merge = true;
   rounds.back().fuse = rounds.back().results = true;
   for (Round& round : rounds)
     round.rescale_noise = true;
+  if (!frames_[pairs_.reference()].hasIntensity() && levels_ > 1) {
+    rounds.insert (rounds.begin(),
+                   {"window", 1, kStartShare, kStartShare, user_.max_iterations});
+    rounds.front().merge = true;
+  }
+  rounds.front().presort = true;
   return rounds;
 }
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <tuple>
 
 namespace pcl_msf {
@@ -256,12 +257,10 @@ WindowStart::chainedPoses (int pair) const
 WindowState
 WindowStart::state() const
 {
-  std::vector<int> others;
-  for (int f = 0; f < pairs_.frames(); ++f)
-    if (f != pairs_.reference())
-      others.push_back (f);
   WindowState state;
-  state.body_of = commonBodies (others);
+  state.body_of = commonBodies();
+  if (!frames_[pairs_.reference()].hasIntensity()) // depth of single pairs tells little
+    std::iota (state.body_of.begin(), state.body_of.end(), 0);
   state.weights.assign (links_.size(), 1.0);
   for (int p = 0; p < pairs_.count(); ++p) {
     const std::vector<RigidPose> of_segments = chainedPoses (p);

@@ -45,8 +45,8 @@ public:
   void
   run (const RigidPose& guess, const std::vector<KnownStep>& known);
 
-  /** \brief Segments that moved alike into all frames are one body; poses of
-   * non-adjacent pairs by concatenation. */
+  /** \brief Segments that moved alike into all frames are one body, without brightness
+   * each is one; poses of non-adjacent pairs by concatenation. */
   WindowState
   state () const;
 
@@ -118,7 +118,7 @@ private:
   std::vector<RigidPose>
   chainedPoses (int pair) const;
   std::vector<int>
-  commonBodies (const std::vector<int>& frames) const;
+  commonBodies () const;
 
   const std::vector<RgbdFrame>& frames_;
   const FramePairs& pairs_;

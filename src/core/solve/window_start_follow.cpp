@@ -18,18 +18,18 @@ WindowStart::learn (const WindowSolve& solve)
                    solve.fit()};
 }
 
-/** Per segment, its body: segments that have one pose into each of these frames. */
+/** Per segment, its body: segments that have one pose into each frame that was reached.
+ * What moved as one into the last frame alone may have done so for want of evidence. */
 std::vector<int>
-WindowStart::commonBodies (const std::vector<int>& frames) const
+WindowStart::commonBodies() const
 {
   std::map<std::vector<double>, int> bodies;
   std::vector<int> body_of;
   for (int k = 0; k < segments_.size(); ++k) {
     std::vector<double> poses;
-    for (const int f : frames) {
-      const auto& pose = to_frame_[f][k].parameters;
-      poses.insert (poses.end(), pose.begin(), pose.end());
-    }
+    for (const std::vector<RigidPose>& to : to_frame_)
+      if (!to.empty())
+        poses.insert (poses.end(), to[k].parameters.begin(), to[k].parameters.end());
     const int next = static_cast<int> (bodies.size());
     body_of.push_back (bodies.emplace (std::move (poses), next).first->second);
   }
@@ -40,7 +40,7 @@ WindowStart::commonBodies (const std::vector<int>& frames) const
 FollowedMotion
 WindowStart::predict (int before, int from) const
 {
-  FollowedMotion motion{commonBodies ({from}),
+  FollowedMotion motion{commonBodies(),
                         {{}, {}},
                         learnt_->links,
                         learnt_->areas,
