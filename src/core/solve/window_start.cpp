@@ -130,8 +130,8 @@ WindowStart::solveStep (int from, int to, const RigidPose& guess)
   fillUnseen (step);
   takeNoise (solve.scene().noise);
   learnt_.reset();
-  if (from == pairs_.reference())
-    learn (solve);
+  if (from == pairs_.reference() && frames_[from].hasIntensity()) // depth alone loses
+    learn (solve);                                                // what it follows
   const BrightnessChange& change = solve.scene().change;
   light_changed_ = light_changed_ || change.local;
   exposure_[to].gain = change.gain * exposure_[from].gain;

@@ -29,8 +29,8 @@ struct KnownStep {
  *
  * The reference and the frame next to it by the solver of two frames; those beyond are
  * followed from the reference, where its bodies would be at their last speed. Where a
- * frame cannot be followed, two adjacent ones are solved, with the segments carried so
- * far. Pairs between other frames by concatenation. */
+ * frame cannot be followed, and without brightness, two adjacent ones are solved, with
+ * the segments carried so far. Pairs between other frames by concatenation. */
 class WindowStart {
 public:
   WindowStart (const std::vector<RgbdFrame>& frames,
