@@ -97,19 +97,21 @@ std::vector<WindowSolve::Round>
 WindowSolve::windowSchedule() const
 {
   const int few = std::min (user_.max_iterations, scene_.tuning.solve.later_iterations);
-  const double middle = 0.5 * (1.0 + kStartShare);
-  std::vector<Round> rounds{{"window", 0, kStartShare, middle, few},
-                            {"window", 0, middle, 1.0, few}};
-  rounds.front().merge = true;
-  rounds.back().fuse = rounds.back().results = true;
-  for (Round& round : rounds)
-    round.rescale_noise = true;
-  if (!frames_[pairs_.reference()].hasIntensity() && levels_ > 1) {
-    rounds.insert (rounds.begin(),
-                   {"window", 1, kStartShare, kStartShare, user_.max_iterations});
-    rounds.front().merge = true;
+  std::vector<Round> rounds;
+  if (!frames_[pairs_.reference()].hasIntensity() && levels_ > 1)
+    rounds.push_back ({"window", 1, 0.0, 0.0, user_.max_iterations});
+  for (int i = 0; i < 2; ++i) {
+    rounds.push_back ({"window", 0, 0.0, 0.0, few});
+    rounds.back().rescale_noise = true;
+  }
+  const double share = (1.0 - kStartShare) / static_cast<double> (rounds.size());
+  for (std::size_t i = 0; i < rounds.size(); ++i) {
+    rounds[i].begin = kStartShare + static_cast<double> (i) * share;
+    rounds[i].end = rounds[i].begin + share;
+    rounds[i].merge = i + 1 < rounds.size();
   }
   rounds.front().presort = true;
+  rounds.back().fuse = rounds.back().results = true;
   return rounds;
 }
 
