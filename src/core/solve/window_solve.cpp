@@ -183,8 +183,12 @@ WindowSolve::round (const Round& round)
   if (round.presort && user_.merge_bodies) {
     level_->sweep (state_, DataTerm::Pass::Linearize);
     merge();
-    if (isPair()) // the start of a window has measured it over all of its pairs
-      measureCorrelation (round.level);
+    const double brightness = scene_.noise.areas.brightness;
+    measureCorrelation (round.level);
+    if (!isPair()) { // the start knows brightness better: it erred over its frames
+      scene_.noise.areas.brightness = brightness;
+      level_->reweigh();
+    }
     if (isPair() && round.anew) // later, bodies err by what they join, too
       brightness_area_ = scene_.noise.areas.brightness;
   }
