@@ -33,9 +33,9 @@ struct WindowScene {
   /** ... or, as a window of several pairs needs it, all frames to the reference's: per
    * frame, its intensity from the reference's; empty leaves them as they are. */
   std::vector<BrightnessChange> exposure{};
-  /** Pixels of level 0 over which brightness errs alike, as a window's adjacent frames
-   * told or level 1 of a pair, before means were left out; 1: not known. It says less
-   * about local means than about contrast then. */
+  /** Pixels of level 0 over which brightness errs alike, as the solves of a window's
+   * start told or level 1 of a pair, before means were left out; 1: not known. It says
+   * less about local means than about contrast then. */
   double brightness_area{1.0};
   double falloff{0.0}; ///< of brightness towards the corners, see fitFalloff
   std::unique_ptr<FlowEvidence> flow{}; ///< of the only pair; or none

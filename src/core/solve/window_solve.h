@@ -4,6 +4,7 @@
 
 #include "core/energy/minimize.h"
 #include "core/result/outcome.h"
+#include "core/solve/followed_motion.h"
 #include "core/solve/upcoming_levels.h"
 #include "core/solve/window_start.h"
 #include "core/start/pair_start.h"
@@ -14,18 +15,6 @@
 #include <vector>
 
 namespace pcl_msf {
-
-/** \brief What an earlier frame told about the reference's motions, for a later one. */
-struct FollowedMotion {
-  std::vector<int> body_of; ///< per segment
-  /** Per guess, per body: where each may be. The best one is taken. */
-  std::vector<std::vector<RigidPose>> guesses;
-  std::vector<SegmentLink> links; ///< empty: not known yet
-  CorrelationAreas areas;         ///< of that frame's residuals
-  double brightness_area{1.0};    ///< see WindowScene
-  std::vector<double> costs;      ///< per segment, see WindowSolve::fit ()
-  cv::Mat depth; ///< of the reference, with what other frames measured; see DepthFusion
-};
 
 /** \brief One estimation over two frames (section 3) or more (section 3.1), from start
  * to results: a start, then a schedule of rounds.

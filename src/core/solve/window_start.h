@@ -5,6 +5,7 @@
 #include "core/data/window_level.h"
 #include "core/energy/solve_monitor.h"
 #include "core/motion/motion_state.h"
+#include "core/solve/followed_motion.h"
 #include "core/window/frame_pairs.h"
 #include <pcl_msf/oversegmentation.h>
 #include <pcl_msf/parameters.h>
@@ -14,7 +15,6 @@
 
 namespace pcl_msf {
 
-struct FollowedMotion;
 class WindowSolve;
 
 /** \brief Motions between two adjacent frames that an earlier window found. */
@@ -83,14 +83,6 @@ private:
     std::vector<int> body; ///< -1 = the segment is not seen there
   };
 
-  /** What a solve from the reference tells about the next frame. */
-  struct Learnt {
-    std::vector<SegmentLink> links;
-    CorrelationAreas areas;
-    double brightness_area;
-    std::vector<double> costs; ///< per segment
-  };
-
   bool
   followStep (int before, int from, int to);
   FollowedMotion
@@ -135,7 +127,8 @@ private:
   std::vector<SegmentLink> links_; ///< of the reference
   std::vector<double> link_weights_;
   NoiseModel noise_;
-  std::optional<Learnt> learnt_; ///< of the last frame in this direction
+  /** Of the last frame in this direction, but for bodies and guesses. */
+  std::optional<FollowedMotion> learnt_;
 };
 
 } // namespace pcl_msf

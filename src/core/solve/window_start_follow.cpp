@@ -12,10 +12,13 @@ namespace pcl_msf {
 void
 WindowStart::learn (const WindowSolve& solve)
 {
-  learnt_ = Learnt{solve.scene().links,
-                   solve.scene().noise.areas,
-                   solve.brightnessArea(),
-                   solve.fit()};
+  learnt_ = FollowedMotion{{},
+                           {},
+                           solve.scene().links,
+                           solve.scene().noise.areas,
+                           solve.brightnessArea(),
+                           solve.fit(),
+                           {}};
 }
 
 /** Per segment, its body: segments that have one pose into each frame that was reached.
@@ -40,13 +43,9 @@ WindowStart::commonBodies() const
 FollowedMotion
 WindowStart::predict (int before, int from) const
 {
-  FollowedMotion motion{commonBodies(),
-                        {{}, {}},
-                        learnt_->links,
-                        learnt_->areas,
-                        learnt_->brightness_area,
-                        learnt_->costs,
-                        {}};
+  FollowedMotion motion = *learnt_;
+  motion.body_of = commonBodies();
+  motion.guesses.resize (2);
   for (std::size_t k = 0; k < motion.body_of.size(); ++k)
     if (motion.body_of[k] == static_cast<int> (motion.guesses[0].size())) {
       const RigidPose& now = to_frame_[from][k];
