@@ -15,6 +15,12 @@ namespace pcl_msf {
 
 namespace {
 
+double
+meanCost (const DataTerm::Probe& probe)
+{
+  return probe.cost / std::max (probe.weight, 1e-12);
+}
+
 class Assignment {
 public:
   Assignment (const std::vector<PairTerms>& terms,
@@ -33,11 +39,11 @@ private:
   DataTerm::Probe
   probe (int segment, int body);
   void
-  measureHidden (int threads);
+  measureFits (int threads);
   void
   mapLandings (int threads);
   double
-  occupiedShare (int segment, int body) const;
+  occupiedShare (int segment, int body, double cost) const;
   double
   score (int segment, int body, double limit);
   int
@@ -62,6 +68,7 @@ private:
   int largest_{0};                             ///< body
   std::vector<std::vector<KnownProbe>> known_; ///< per segment
   std::vector<double> hidden_;                 ///< per segment: share, with its body
+  std::vector<double> costs_;                  ///< likewise: mean cost per residual
   std::vector<MotionState> motions_;           ///< per pair
   std::vector<std::unique_ptr<LandingMap>> landings_; ///< likewise, of motions_
 };
@@ -134,13 +141,14 @@ Assignment::probe (int segment, int body)
 
 /** Mean over the pairs of what is occupied, beyond borders. */
 double
-Assignment::occupiedShare (int segment, int body) const
+Assignment::occupiedShare (int segment, int body, double cost) const
 {
   double sum = 0.0;
   for (std::size_t i = 0; i < pairs_.size(); ++i)
-    sum += std::max (0.0,
-                     landings_[i]->occupiedShare (*pairs_[i].sample, segment, body) -
-                         tuning_.border_share);
+    sum +=
+        std::max (0.0,
+                  landings_[i]->occupiedShare (*pairs_[i].sample, segment, body, cost) -
+                      tuning_.border_share);
   return sum / ((1.0 - tuning_.border_share) * static_cast<double> (pairs_.size()));
 }
 
@@ -172,11 +180,11 @@ Assignment::score (int segment, int body, double limit)
       std::max (least_prior_,
                 std::min (tuning_.most_prior + unseen,
                           tuning_.prior / std::max (1.0, independent)));
-  const double sum = p.cost / std::max (p.weight, 1e-12) + hidden +
-                     separation_ * share + (body == largest_ ? 0.0 : prior);
-  return sum >= limit
-             ? sum
-             : sum + occupiedShare (segment, body) * sample.rules().conflict_cost;
+  const double sum =
+      meanCost (p) + hidden + separation_ * share + (body == largest_ ? 0.0 : prior);
+  return sum >= limit ? sum
+                      : sum + occupiedShare (segment, body, meanCost (p)) *
+                                  sample.rules().conflict_cost;
 }
 
 int
@@ -201,11 +209,14 @@ Assignment::choose (int segment, const std::vector<int>& largest)
 }
 
 void
-Assignment::measureHidden (int threads)
+Assignment::measureFits (int threads)
 {
   hidden_.assign (segments_, 0.0);
+  costs_.assign (segments_, 0.0);
   parallelFor (threads, segments_, 8, [&] (int k) {
-    hidden_[k] = probe (k, state_.body_of[k]).hidden;
+    const DataTerm::Probe p = probe (k, state_.body_of[k]);
+    hidden_[k] = p.hidden;
+    costs_[k] = meanCost (p);
   });
 }
 
@@ -221,14 +232,14 @@ Assignment::mapLandings (int threads)
   parallelFor (many ? threads : 1, pairs, 1, [&] (int i) {
     if (!landings_[i])
       landings_[i] = std::make_unique<LandingMap> (*pairs_[i].all, tuning_.landings);
-    landings_[i]->enter (motions_[i], many ? 1 : threads);
+    landings_[i]->enter (motions_[i], costs_, many ? 1 : threads);
   });
 }
 
 int
 Assignment::round (int threads)
 {
-  measureHidden (threads);
+  measureFits (threads);
   const std::vector<int> largest = largestBodies();
   largest_ = largest.front();
   mapLandings (threads);

@@ -29,9 +29,10 @@ struct AssignmentRules {
  * bodies. All are assigned at once, so that the outcome does not depend on the order.
  * Bodies without segments disappear. What would be hidden or out of view costs as much
  * as a conflict unless a neighbour that is seen moves likewise. Where most of a
- * segment's points would land on the place of a larger body, up to a conflict is added
- * (LandingMap). In a window only the pairs from the reference count: the points of the
- * others are where the present motion put them. \return how many changed */
+ * segment's points would land on the place of a larger body that does not fit there
+ * clearly worse, up to a conflict is added (LandingMap). In a window only the pairs
+ * from the reference count: the points of the others are where the present motion put
+ * them. \return how many changed */
 int
 reassignBodies (const std::vector<PairTerms>& terms,
                 const std::vector<SegmentLink>& links,

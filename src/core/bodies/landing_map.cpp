@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pcl_msf {
 
@@ -73,10 +74,11 @@ LandingMap::LandingMap (const DataTerm& data, const LandingTuning& tuning)
 {}
 
 void
-LandingMap::enter (const MotionState& state, int threads)
+LandingMap::enter (const MotionState& state, std::vector<double> costs, int threads)
 {
   const SegmentPixels& p = data_.pixels();
   state_ = &state;
+  costs_ = std::move (costs);
   points_.assign (state.poses.size(), 0);
   for (int k = 0; k < p.segments(); ++k)
     points_[state.body_of[k]] += p.pixels (k);
@@ -141,7 +143,10 @@ LandingMap::enterCell (int segment, int cell)
 }
 
 double
-LandingMap::occupiedShare (const DataTerm& sample, int segment, int body) const
+LandingMap::occupiedShare (const DataTerm& sample,
+                           int segment,
+                           int body,
+                           double cost) const
 {
   const SegmentPixels& p = sample.pixels();
   Landing landing (sample, state_->poses[body]);
@@ -150,7 +155,7 @@ LandingMap::occupiedShare (const DataTerm& sample, int segment, int body) const
     if (!landing.onSurface (i))
       continue;
     for (const int other : cells_[cellOf (landing.place())].segment)
-      if (other >= 0 && other != segment &&
+      if (other >= 0 && other != segment && costs_[other] <= cost + tuning_.worse &&
           points_[state_->body_of[other]] > points_[body]) {
         ++occupied;
         break;

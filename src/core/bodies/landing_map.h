@@ -29,15 +29,16 @@ public:
    *
    * What earlier states entered is forgotten; of segments that stay with their body it
    * is known already: the bodies' poses must be the same in all. \param state stays in
-   * use */
+   * use \param costs per segment: mean cost per residual with its body */
   void
-  enter (const MotionState& state, int threads);
+  enter (const MotionState& state, std::vector<double> costs, int threads);
 
   /** \brief Share of a segment's points that would land, with a body's pose, where
-   * another segment of another and larger body lands. \param sample points of the same
-   * segments on the same level */
+   * another segment of another and larger body lands, unless that one fits there
+   * clearly worse. \param sample points of the same segments on the same level
+   * \param cost mean one per residual of the segment with that body */
   double
-  occupiedShare (const DataTerm& sample, int segment, int body) const;
+  occupiedShare (const DataTerm& sample, int segment, int body, double cost) const;
 
 private:
   struct Cell {
@@ -62,6 +63,7 @@ private:
   const LandingTuning tuning_;
   int columns_;
   const MotionState* state_{nullptr};
+  std::vector<double> costs_;  ///< per segment
   std::vector<int> points_;    ///< per body
   std::vector<Landed> landed_; ///< per segment
   std::vector<Cell> cells_;

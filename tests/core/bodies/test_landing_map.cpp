@@ -5,22 +5,29 @@
 #include "core/bodies/landing_map.h"
 #include "support/covered_wall.h"
 
+#include <vector>
+
 namespace {
 
 using namespace pcl_msf;
 
 // Places are told apart to three pixels: tiles beside reach over the border.
 constexpr double kSeam = 0.25;
+constexpr double kCost = 0.5; // of the segment that is asked for
 
 class LandingMapTest : public testing::Test {
 protected:
   double
-  occupied (const MotionState& state, int segment, int body)
+  occupied (const MotionState& state,
+            int segment,
+            int body,
+            double cost_of_others = 0.0)
   {
     const DataTerm data = scene_.data();
     LandingMap map (data, {});
-    map.enter (state, 1);
-    return map.occupiedShare (data, segment, body);
+    const int segments = data.pixels().segments();
+    map.enter (state, std::vector<double> (segments, cost_of_others), 1);
+    return map.occupiedShare (data, segment, body, kCost);
   }
 
   /** The covered tile in a body of its own, which lands on a tile of the wall. */
@@ -82,6 +89,13 @@ TEST_F (LandingMapTest, NeitherOfTwoEqualBodiesOccupies)
   EXPECT_LT (occupied (state, test::kFree, 3), kSeam);
 }
 
+TEST_F (LandingMapTest, WhatFitsClearlyWorseOccupiesNothing)
+{
+  const double worse = LandingTuning{}.worse;
+  EXPECT_GT (occupied (onTheFreeTile(), test::kCovered, 2, kCost + 0.9 * worse), 0.9);
+  EXPECT_EQ (occupied (onTheFreeTile(), test::kCovered, 2, kCost + 1.1 * worse), 0.0);
+}
+
 TEST_F (LandingMapTest, WhatLooksDifferentOccupiesNothing)
 {
   SegmentPixels& pixels = scene_.pixels();
@@ -109,10 +123,10 @@ TEST_F (LandingMapTest, AnotherStateTakesThePlaceOfTheFirst)
   const DataTerm data = scene_.data();
   LandingMap renewed (data, {});
   for (const MotionState& state : {apart, together, apart}) {
-    renewed.enter (state, 2);
+    renewed.enter (state, std::vector<double> (48, 0.0), 2);
     for (int segment = 0; segment < 48; ++segment)
       for (const int body : {0, 1, 2})
-        EXPECT_EQ (renewed.occupiedShare (data, segment, body),
+        EXPECT_EQ (renewed.occupiedShare (data, segment, body, kCost),
                    occupied (state, segment, body));
   }
 }

@@ -27,6 +27,7 @@ listValues (BodyTuning& tuning, TunedValues& values)
       {"bodies.assignment.landings.cell", &landings.cell, 1, 100},
       {"bodies.assignment.landings.per_segment", &landings.per_segment, 1, 1e6},
       {"bodies.assignment.landings.looks_alike", &landings.looks_alike, 0, 1000},
+      {"bodies.assignment.landings.worse", &landings.worse, 0, 1000},
       {"bodies.hidden.hidden", &tuning.hidden.hidden, 0, 1},
       {"bodies.hidden.seen", &tuning.hidden.seen, 0, 1}};
   values.insert (values.end(), own.begin(), own.end());

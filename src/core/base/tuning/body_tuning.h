@@ -28,6 +28,8 @@ struct LandingTuning {
   /** Standard deviations of the intensity within which a point looks like what it
    * lands on: more counts landings by chance, less misses true ones. */
   float looks_alike{2.5f};
+  double worse{1.0}; ///< mean cost per residual, more by which one does not own a
+                     ///< place: more drives out what fits, less leaves two on a place
 };
 
 /** \brief How segments are assigned to bodies; see "Leaving the largest body costs
