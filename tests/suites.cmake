@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Lists the suites of a GoogleTest PROGRAM for CTest in the file LIST: a process for each
 # suite, since starting one takes longer than most tests. Output names the tests that
-# fail. COSTS: some "suite=seconds"; CTest starts the dearest first.
+# fail. COSTS: some "suite=seconds"; CTest starts the dearest first. EMULATOR: what runs
+# programs of another machine.
 cmake_minimum_required (VERSION 3.18)
-execute_process (COMMAND "${PROGRAM}" --gtest_list_tests TIMEOUT 600 # a busy machine's
+execute_process (COMMAND ${EMULATOR} "${PROGRAM}" --gtest_list_tests TIMEOUT 600 # a busy machine's
   OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE failed)
 if (failed)
   message (FATAL_ERROR "${PROGRAM} --gtest_list_tests: ${failed}\n${output}")
@@ -14,10 +15,15 @@ if (NOT suites)
   message (FATAL_ERROR "${PROGRAM} has no tests:\n${output}")
 endif ()
 
+list (JOIN EMULATOR "\" \"" command)
+string (APPEND command "\" \"${PROGRAM}")
+string (REGEX REPLACE "^\" \"" "" command "${command}")
+
 set (text "")
 foreach (suite IN LISTS suites)
   # Skipped: the last lines say so, and none that a test failed.
-  string (APPEND text "add_test (\"${suite}\" \"${PROGRAM}\" \"--gtest_filter=${suite}.*\")\n"
+  string (APPEND text
+    "add_test (\"${suite}\" \"${command}\" \"--gtest_filter=${suite}.*\")\n"
     "set_tests_properties (\"${suite}\" PROPERTIES WORKING_DIRECTORY \"${FOLDER}\"\n"
     "  SKIP_REGULAR_EXPRESSION [[\\[  SKIPPED \\] [^\n]*\n$]])\n")
 endforeach ()

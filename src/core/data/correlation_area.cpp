@@ -188,7 +188,7 @@ measureCorrelationAreas (const std::vector<PairTerms>& terms,
   Ratios brightness;
   Ratios icp;
   for (const PairTerms& pair : fromReference (terms)) {
-    const int side = std::max (tuning.least_tile, tuning.tile >> level);
+    const int side = std::max (1, tuning.tile >> level);
     TileSums sums (*pair.all, side);
     sums.add (state.ofPair (pair.pair), tuning.most_rows, threads);
     sums.collect (tuning.least_filled * side * side, brightness, icp);

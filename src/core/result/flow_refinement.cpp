@@ -108,7 +108,7 @@ pointsToRefine (const SceneFlow& scene, const RefinementTuning& tuning, int thre
     }
     return in_row;
   });
-  return count < tuning.least_points ? cv::Mat() : mask;
+  return count == 0 ? cv::Mat() : mask;
 }
 
 void

@@ -10,7 +10,7 @@ namespace pcl_msf {
 
 /** \brief Where the images may adapt the flow: 255 in CV_8UC1 where points move
  * otherwise than the body that most follow, and do not leave the image. Empty when
- * these are hardly any. */
+ * there are none. */
 cv::Mat
 pointsToRefine (const SceneFlow& scene, const RefinementTuning& tuning, int threads);
 

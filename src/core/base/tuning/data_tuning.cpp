@@ -21,7 +21,6 @@ listValues (DataTuning& tuning, TunedValues& values)
       {"data.missing.occluded", &missing.occluded, 0, 4},
       {"data.missing.out_of_view", &missing.out_of_view, 0, 100},
       {"data.correlation.tile", &correlation.tile, 1, 1000},
-      {"data.correlation.least_tile", &correlation.least_tile, 1, 1000},
       {"data.correlation.least_filled", &correlation.least_filled, 0, 1},
       {"data.correlation.least_tiles", &correlation.least_tiles, 1, 1e6},
       {"data.correlation.most_rows", &correlation.most_rows, 1, 1e6},

@@ -23,7 +23,6 @@ struct MissingTuning {
  * DECISIONS.md. */
 struct CorrelationTuning {
   int tile{16};        ///< pixels of level 0: more than sensors' windows
-  int least_tile{2};   ///< pixels of the level: less is noise
   int least_tiles{12}; ///< that a median is taken of; fewer keep what was measured
                        ///< before
   double least_filled{0.25}; ///< share of a tile: a body's part that counts; more

@@ -11,7 +11,6 @@ listRefinement (RefinementTuning& refinement, TunedValues& values)
 {
   const TunedValues own{
       {"result.refinement.common", &refinement.common, 0, 1},
-      {"result.refinement.least_points", &refinement.least_points, 1, 1e9},
       {"result.refinement.tile", &refinement.tile, 16, 100000},
       {"result.refinement.most_spread", &refinement.most_spread, 0, 10000},
       {"result.refinement.margin", &refinement.margin, 1, 1000},

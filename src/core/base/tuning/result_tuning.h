@@ -33,10 +33,9 @@ struct BlendTuning {
 struct RefinementTuning {
   double common{0.3}; ///< share of the points from which on the dominant body is rigid
                       ///< without doubt and keeps its motion: more adapts static scenes
-  int least_points{100}; ///< that move otherwise: fewer are left alone
-  int tile{96};          ///< pixels, side of what is adapted at a time: more keeps more
-                         ///< processors waiting, less adapts margins again and again
-  int margin{6};         ///< pixels around a tile: less shows seams
+  int tile{96};       ///< pixels, side of what is adapted at a time: more keeps more
+                      ///< processors waiting, less adapts margins again and again
+  int margin{6};      ///< pixels around a tile: less shows seams
   int most_spread{8}; ///< pixels, how far a tile's motions may differ to be all in the
                       ///< images that it works on: more is slower
   double better{0.8}; ///< of the motion's residual: below it optical flow takes over;
