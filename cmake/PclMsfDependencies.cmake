@@ -62,7 +62,7 @@ endif ()
 
 set (pcl_msf_plain_pcl io)
 if (PCL_MSF_BUILD_EXAMPLES OR PCL_MSF_BUILD_TESTS)
-  list (APPEND pcl_msf_plain_pcl features registration)
+  list (APPEND pcl_msf_plain_pcl features filters registration segmentation)
   if (PCL_MSF_VTK_TARGETS)
     list (APPEND pcl_msf_plain_pcl visualization)
   endif ()
