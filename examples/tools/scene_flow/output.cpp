@@ -6,6 +6,7 @@
 #include "common/option_values.h"
 #include "core/base/parallel_for.h"
 #include "pictures.h"
+#include <pcl_msf/errors.h>
 #include <pcl_msf/io/float_files.h>
 #include <pcl_msf/io/images.h>
 #include <pcl_msf/io/pose_files.h>
@@ -16,6 +17,7 @@
 #include <functional>
 #include <regex>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace pcl_msf::tool {
@@ -80,6 +82,16 @@ addWindow (const Outcome& o,
       });
 }
 
+void
+copyFile (const std::filesystem::path& from, const std::filesystem::path& to)
+{
+  std::error_code failed;
+  std::filesystem::copy_file (
+      from, to, std::filesystem::copy_options::overwrite_existing, failed);
+  if (failed)
+    throw IoError (to.string() + ": cannot be written: " + failed.message());
+}
+
 } // namespace
 
 std::string
@@ -114,13 +126,14 @@ writeOutcome (Outcome& outcome, const Options& options)
       std::chrono::steady_clock::now() - begin;
   outcome.seconds.write = seconds.count();
   // Under the window's name and, for the last window, under one that is always there.
-  for (const std::string& name :
-       {"report_" + std::to_string (outcome.reference()), std::string ("report")})
-    io::writeReport ((folder / (name + ".json")).string(),
-                     outcome.lastFlow(),
-                     outcome.seconds,
-                     count,
-                     outcome.images[outcome.result.reference].distortion);
+  const std::filesystem::path report =
+      folder / ("report_" + std::to_string (outcome.reference()) + ".json");
+  io::writeReport (report.string(),
+                   outcome.lastFlow(),
+                   outcome.seconds,
+                   count,
+                   outcome.images[outcome.result.reference].distortion);
+  copyFile (report, folder / "report.json");
 }
 
 bool

@@ -16,6 +16,7 @@
 #include <future>
 #include <iomanip>
 #include <sstream>
+#include <utility>
 
 namespace pcl_msf::tool {
 
@@ -54,13 +55,16 @@ public:
       if (!entry.shown.label.empty() && !entry.shown.picture.empty())
         shown.push_back (entry.shown);
     // First, as it takes longest.
-    entries_.insert (entries_.begin(),
-                     {name, {"", io::contactSheet (shown, 4, 480)}, {}});
+    entries_.insert (entries_.begin(), {name, {}, [shown = std::move (shown)] {
+                                          return io::contactSheet (shown, 4, 480);
+                                        }});
   }
   void
   write ()
   {
     forEach ([this] (Entry& entry) {
+      if (entry.shown.picture.empty())
+        entry.shown.picture = entry.make();
       if (!entry.name.empty())
         io::writeImage ((folder_ / entry.name).string(), entry.shown.picture);
     });

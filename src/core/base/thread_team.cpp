@@ -9,6 +9,7 @@
 #include <ctime>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 namespace pcl_msf {
 
@@ -152,7 +153,7 @@ ThreadTeam::run (const Loop& loop, int threads)
       isHeldUp()
           ? 0
           : std::max (0,
-                      std::min ({threads - 1 - *elsewhere_, parts - 1, kMostHelpers}));
+                      std::min ({threads - 1 - elsewhere_, parts - 1, kMostHelpers}));
   hire (helpers);
   loop_ = loop;
   next_ = 0;
@@ -241,18 +242,55 @@ ThreadTeam::help()
 {
   busy_here = true;
   unsigned seen = 0;
-  while (waitForRound (seen))
-    if (enter()) {
+  while (waitForWork (seen))
+    if (!takeJob() && enter()) {
       workAside();
       leave();
     }
 }
 
-/** False when the team's thread ends. */
 bool
-ThreadTeam::waitForRound (unsigned& seen)
+ThreadTeam::doAside (std::function<void()> job)
 {
-  const auto begun = [&] { return round_ != seen || ended_; };
+  hire (elsewhere_ + 1);
+  if (static_cast<int> (helpers_.size()) <= elsewhere_)
+    return false;
+  {
+    const std::lock_guard<std::mutex> lock (mutex_);
+    jobs_.push_back (std::move (job));
+    ++waiting_jobs_;
+    ++elsewhere_;
+  }
+  begun_.notify_one();
+  return true;
+}
+
+/** Does a job that waits for a helper. */
+bool
+ThreadTeam::takeJob()
+{
+  if (waiting_jobs_ == 0)
+    return false;
+  std::function<void()> job;
+  {
+    const std::lock_guard<std::mutex> lock (mutex_);
+    if (jobs_.empty())
+      return false;
+    job = std::move (jobs_.front());
+    jobs_.pop_front();
+    --waiting_jobs_;
+  }
+  job();
+  job = nullptr; // what it holds ends before it counts as done
+  --elsewhere_;
+  return true;
+}
+
+/** False when the team's thread ends, and no job waits. */
+bool
+ThreadTeam::waitForWork (unsigned& seen)
+{
+  const auto begun = [&] { return round_ != seen || waiting_jobs_ > 0 || ended_; };
   if (!comesSoon (begun)) {
     std::unique_lock<std::mutex> lock (mutex_);
     ++sleeping_;
@@ -260,7 +298,7 @@ ThreadTeam::waitForRound (unsigned& seen)
     --sleeping_;
   }
   seen = round_;
-  return !ended_;
+  return waiting_jobs_ > 0 || !ended_;
 }
 
 bool

@@ -7,8 +7,9 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <deque>
 #include <exception>
-#include <memory>
+#include <functional>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -78,9 +79,15 @@ public:
   static Clock::duration
   timeAlone (const LoopTimes& times);
 
-  /** \brief How many threads do something else for the caller, see meanwhile (): each
-   * counts itself, and may outlive the team. */
-  const std::shared_ptr<std::atomic<int>>&
+  /** \brief Has a helper do a job while the caller goes on; meanwhile () is how to use
+   * it. A helper that is awake, or slept on a processor of its own, is there at once; a
+   * new thread may begin on the caller's, and stay there for long. \return false when
+   * there is no helper to be had: nobody does the job then */
+  bool
+  doAside (std::function<void()> job);
+
+  /** \brief How many helpers do such jobs now, or are about to. */
+  int
   elsewhere () const
   {
     return elsewhere_;
@@ -111,7 +118,9 @@ private:
   void
   leave ();
   bool
-  waitForRound (unsigned& seen);
+  takeJob ();
+  bool
+  waitForWork (unsigned& seen);
   void
   work ();
 
@@ -120,7 +129,7 @@ private:
   std::atomic<int> next_{0};       ///< first index that nobody has taken
   std::atomic<unsigned> gate_{0};  ///< places left (upper half), helpers inside (lower)
   std::atomic<unsigned> round_{0}; ///< of loops
-  std::mutex mutex_;               ///< for sleeping, and error_
+  std::mutex mutex_;               ///< for sleeping, error_ and jobs_
   std::condition_variable begun_;
   std::condition_variable done_;
   std::atomic<int> sleeping_{0};
@@ -128,7 +137,9 @@ private:
   std::atomic<bool> caller_sleeps_{false};
   std::atomic<bool> ended_{false};
   std::exception_ptr error_;
-  std::shared_ptr<std::atomic<int>> elsewhere_{std::make_shared<std::atomic<int>> (0)};
+  std::deque<std::function<void()>> jobs_; ///< that nobody has begun
+  std::atomic<int> waiting_jobs_{0};
+  std::atomic<int> elsewhere_{0};   ///< jobs that are not done
   Clock::time_point alone_until_{}; ///< the caller works alone until then
 };
 

@@ -2,9 +2,6 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/solve/upcoming_levels.h"
 
-#include "core/base/meanwhile.h"
-
-#include <chrono>
 #include <exception>
 #include <memory>
 #include <utility>
@@ -38,8 +35,7 @@ LevelPoints
 UpcomingLevels::take (int level)
 {
   // Where there was no thread, this one does it now.
-  if (work_.valid() &&
-      work_.wait_for (std::chrono::seconds (0)) == std::future_status::deferred)
+  if (work_.valid() && work_.isLeftToCaller())
     work_.get();
   const auto found = levels_.find (level);
   LevelPoints points = found->second.get();

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #pragma once
 
+#include "core/base/meanwhile.h"
 #include "core/data/window_level.h"
 
 #include <future>
@@ -36,7 +37,7 @@ public:
 
 private:
   std::map<int, std::future<LevelPoints>> levels_;
-  std::future<void> work_;
+  Meanwhile<void> work_;
 };
 
 } // namespace pcl_msf

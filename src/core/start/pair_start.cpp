@@ -45,7 +45,7 @@ PairStart::run (const cv::Mat& labels,
                 const RigidPose& guess,
                 const std::vector<RigidPose>& given)
 {
-  std::future<CoarseFlow> depth_flow;
+  Meanwhile<CoarseFlow> depth_flow;
   if (solver_.flow_proposals && given.empty())
     depth_flow = meanwhile (scene_.threads, [this] {
       return estimateDepthFlow (reference_, current_, scene_.tuning.start.flow);

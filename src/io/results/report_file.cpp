@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace pcl_msf::io {
@@ -106,9 +107,12 @@ double
 medianOf (const cv::Mat& image)
 {
   std::vector<float> values;
-  for (std::size_t i = 0; i < image.total(); ++i)
-    if (std::isfinite (image.ptr<float>()[i]))
-      values.push_back (image.ptr<float>()[i]);
+  values.reserve (image.total());
+  for (int row = 0; row < image.rows; ++row)
+    std::copy_if (image.ptr<float> (row),
+                  image.ptr<float> (row) + image.cols,
+                  std::back_inserter (values),
+                  [] (float value) { return std::isfinite (value); });
   return values.empty() ? 0.0 : median (values);
 }
 

@@ -5,7 +5,10 @@
 #include "core/base/meanwhile.h"
 #include "core/base/parallel_for.h"
 
+#include <atomic>
+#include <chrono>
 #include <csignal>
+#include <future>
 #include <stdexcept>
 #include <thread>
 #include <utility>
@@ -51,6 +54,43 @@ TEST (Meanwhile, OneThreadWorksWhenAsked)
     here[i] = within.get() == std::this_thread::get_id();
   });
   EXPECT_EQ (here, std::vector<char> (4, 1)) << "threads of a loop start no others";
+}
+
+TEST (Meanwhile, OneHelperDoesOneJobAfterTheOther)
+{
+  std::vector<std::thread::id> helpers;
+  std::thread ([&] { // with a team of its own
+    const ThreadTeam& team = ThreadTeam::ofThisThread();
+    for (int i = 0; i < 3; ++i) {
+      auto job = meanwhile (2, [] { return std::this_thread::get_id(); });
+      helpers.push_back (job.get());
+      while (team.elsewhere() > 0)
+        std::this_thread::yield();
+    }
+  })
+      .join();
+  EXPECT_EQ (helpers, std::vector<std::thread::id> (3, helpers[0]));
+}
+
+TEST (Meanwhile, SeveralAtOnceHaveAHelperEach)
+{
+  std::promise<void> first;
+  auto waits = meanwhile (3, [&] { first.get_future().wait(); });
+  auto lets_go = meanwhile (3, [&] { first.set_value(); });
+  waits.get();
+  lets_go.get();
+}
+
+TEST (Meanwhile, EndsWhenTheJobIsDone)
+{
+  std::atomic<bool> done{false};
+  {
+    const auto unasked = meanwhile (2, [&] {
+      std::this_thread::sleep_for (std::chrono::milliseconds (20));
+      done = true;
+    });
+  }
+  EXPECT_TRUE (done);
 }
 
 TEST (Meanwhile, HandsOnExceptions)
