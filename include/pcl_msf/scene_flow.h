@@ -156,7 +156,10 @@ struct Report {
    * frames: stop_reason is Converged or, as PCL's ICP counts, IterationLimit. What
    * hasConverged () and the tools' exit status say is this. */
   bool converged{false};
-  int iterations{0};       ///< over all levels
+  int iterations{0}; ///< over all levels
+  /** \brief The light differs between frames by more than exposure: local contrasts of
+   * brightness are compared in place of brightness. */
+  bool light_changed{false};
   EnergyCost initial_cost; ///< where the last solve at the finest level began
   EnergyCost final_cost;   ///< where it ended
   double frame_seconds{0.0};

@@ -140,6 +140,7 @@ TEST (Report, HasItsKeysAndNullForNotFinite)
                            "\"segments\": 2",
                            "\"undetermined_segments\": 1",
                            "\"converged\": false",
+                           "\"light_changed\": false",
                            "\"stop_reason\": \"iteration_limit\"",
                            "\"total\": 1.5",
                            "\"load\": 0.25",

@@ -113,6 +113,7 @@ WindowSolve::finish()
   }
   report_.result_seconds = monitor_.seconds() - before;
   report_.iterations = monitor_.iterations();
+  report_.light_changed = scene_.change.local;
   report_.history = monitor_.history();
   conclude (cancelled_ ? StopReason::Cancelled : monitor_.stopReason(),
             judge (result),

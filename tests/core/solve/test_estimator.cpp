@@ -36,6 +36,7 @@ TEST_F (Room, FlowIsRightUnderAnotherLight)
   reference_ = scene_.frame (test::faded (view_));
   current_ = scene_.frame (test::underOtherLight (test::faded (scene_.render (true))));
   const SceneFlow result = estimate();
+  EXPECT_TRUE (result.report.light_changed);
   const auto all = errors (result);
   EXPECT_LT (all[all.size() / 2], 0.03);
   EXPECT_LT (mean (all), 0.04);

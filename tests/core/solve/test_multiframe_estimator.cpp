@@ -75,6 +75,7 @@ TEST (MultiframeEstimator, LightMayChangeFromFrameToFrame)
       MultiframeEstimator().estimate (room.frames, 0, room.segments (0));
   EXPECT_LT (meanError (room, 0, 1, result.frames[1]), 0.012);
   EXPECT_LT (meanError (room, 0, 2, result.frames[2]), 0.012);
+  EXPECT_TRUE (result.frames[1].report.light_changed);
 }
 
 /** Over how many pixels a pair's brightness errs alike, as its finest level takes it.
@@ -108,6 +109,7 @@ TEST (MultiframeEstimator, TwoFramesAreAPair)
   const Oversegmentation segments = room.segments (0);
   const SceneFlow pair =
       SceneFlowEstimator().estimate (room.frames[0], room.frames[1], segments);
+  EXPECT_FALSE (pair.report.light_changed);
   const MultiframeSceneFlow window =
       MultiframeEstimator().estimate (room.frames, 0, segments);
   ASSERT_EQ (window.frames.size(), 2U);
