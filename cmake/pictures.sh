@@ -12,7 +12,8 @@ if ! command -v convert >/dev/null; then
 fi
 configure -DPCL_MSF_BUILD_EXAMPLES=ON -DPCL_MSF_BUILD_VISUALIZATION=ON
 build pcl_msf_synthesize pcl_msf_scene_flow pcl_msf_render \
-  10_behind_pcl_filters 11_supervoxels 12_grown_regions 13_map_of_many_clouds
+  10_behind_pcl_filters 11_supervoxels 12_grown_regions 13_map_of_many_clouds \
+  14_planes_of_a_camera 15_things_apart
 bin="$build_dir/examples"
 work="$(mktemp -d)"
 trap 'rm -rf "$work"' EXIT
@@ -44,9 +45,9 @@ done
 convert "$work/lost/overlay_0_1.png" "$work/lost/residual_0_1.png" "$work/lost/motions_0.png" \
   -background white -bordercolor white -border 4x0 +append "$work/lost.png"
 small "$work/lost.png" failure.png -resize 790x
-(cd "$work" && for example in "$bin"/1[0-3]_*; do "$example"; done)
-convert "$work"/{voxel_grid,statistical_outlier_removal,supervoxels,grown_regions,map}.png \
-  -append "$work/machinery.png"
+(cd "$work" && for example in "$bin"/1[0-5]_*; do "$example"; done)
+machinery=(voxel_grid statistical_outlier_removal supervoxels grown_regions planes clusters map)
+(cd "$work" && convert "${machinery[@]/%/.png}" -append machinery.png)
 small "$work/machinery.png" pcl_machinery.png -resize 900x
 for picture in "$source_dir"/examples/pictures/*.png; do
   printf '%7d bytes  %s\n' "$(stat -c %s "$picture")" "${picture#"$source_dir"/}"
