@@ -9,7 +9,7 @@
 #include "example_clouds.h"
 #include "example_pictures.h"
 
-bool all_converged = true;
+bool all_well = true;
 
 template <typename PointT>
 void
@@ -29,8 +29,8 @@ registerBehind (pcl::Filter<PointT>& filter,
   registration.setInputTarget (to);
   pcl::PointCloud<PointT> warped;
   registration.align (warped);
-  all_converged = all_converged && registration.hasConverged();
-  writePicture (picture, registration, *from, warped, *to);
+  all_well = writePicture (picture, registration, *from, warped, *to) &&
+             registration.hasConverged() && all_well;
 }
 
 int
@@ -55,5 +55,5 @@ main ()
   registerBehind (pass, "pass_through.png", exampleCloud (0), exampleCloud (1));
   pcl::FastBilateralFilter<pcl::PointXYZRGBA> bilateral;
   registerBehind (bilateral, "fast_bilateral.png", exampleCloud (0), exampleCloud (1));
-  return all_converged ? 0 : 1;
+  return all_well ? 0 : 1;
 }

@@ -39,6 +39,7 @@ main ()
   registration.setSegmentation (supervoxels (source));
   Cloud warped;
   registration.align (warped);
-  writePicture ("supervoxels.png", registration, *source, warped, *target);
-  return registration.hasConverged() ? 0 : 1;
+  const bool drawn =
+      writePicture ("supervoxels.png", registration, *source, warped, *target);
+  return drawn && registration.hasConverged() ? 0 : 1;
 }

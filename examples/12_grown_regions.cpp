@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
-// With normals and regions that PCL finds: the sides of a body's limbs.
+// With regions that PCL grows by its normals: the sides of a body's limbs.
 #include <pcl/features/normal_3d_omp.h>
 #include <pcl/search/kdtree.h>
 #include <pcl/segmentation/region_growing.h>
@@ -43,6 +43,7 @@ main ()
   registration.setSegmentation (regions);
   Cloud warped;
   registration.align (warped);
-  writePicture ("grown_regions.png", registration, *source, warped, *target);
-  return registration.hasConverged() ? 0 : 1;
+  const bool drawn =
+      writePicture ("grown_regions.png", registration, *source, warped, *target);
+  return drawn && registration.hasConverged() ? 0 : 1;
 }

@@ -32,8 +32,8 @@ main ()
   registration.setSegmentation (planes); // what is in none is unknown in the result
   Cloud warped;
   registration.align (warped);
-  writePicture (
+  const bool drawn = writePicture (
       "planes.png", registration, *exampleCloud (0), warped, *exampleCloud (1));
   std::cout << planes.size() << " planes\n";
-  return registration.hasConverged() ? 0 : 1;
+  return drawn && registration.hasConverged() ? 0 : 1;
 }

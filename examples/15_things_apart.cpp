@@ -31,6 +31,7 @@ main ()
   registration.setSegmentation (clusters);
   Cloud warped;
   registration.align (warped);
-  writePicture ("clusters.png", registration, *source, warped, *target);
-  return registration.hasConverged() && clusters.size() == 4 ? 0 : 1;
+  const bool drawn =
+      writePicture ("clusters.png", registration, *source, warped, *target);
+  return drawn && registration.hasConverged() && clusters.size() == 4 ? 0 : 1;
 }

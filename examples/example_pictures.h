@@ -12,6 +12,7 @@
 #include <pcl_msf/visualization/cloud_scenes.h>
 #include <pcl_msf/visualization/offscreen_renderer.h>
 #include <pcl_msf/visualization/picture_sheet.h>
+#include <pcl_msf/visualization/virtual_display.h>
 
 #include <iostream>
 #include <string>
@@ -44,11 +45,9 @@ pointsOf (const pcl::PointCloud<PointT>& cloud)
 }
 
 /** Source and target, warped source and target, parts and joints: side by side in a
- * file. Runs with or without a display (starts an Xvfb); throws DisplayError where it
- * can't.
- */
+ * file. Runs with or without a display. \return could it? else stderr has the remedy */
 template <typename PointT>
-void
+bool
 writePicture (const std::string& file,
               const pcl_msf::PiecewiseRigidRegistration<PointT>& registration,
               const pcl::PointCloud<PointT>& source,
@@ -56,7 +55,6 @@ writePicture (const std::string& file,
               const pcl::PointCloud<PointT>& target)
 {
   using namespace pcl_msf::visualization;
-  static OffscreenRenderer renderer;
   CloudResult result;
   result.source = pointsOf (source);
   result.warped = pointsOf (warped);
@@ -69,11 +67,19 @@ writePicture (const std::string& file,
   PictureStyle style;
   style.size = {400, 300};
   const View view = orbitView (cloudBounds (result.target), style.size, 25.0, 15.0);
-  std::vector<cv::Mat> pictures;
-  for (const PictureKind kind :
-       {PictureKind::BeforeTints, PictureKind::AfterTints, PictureKind::Motions})
-    pictures.push_back (renderer.render (cloudScene (kind, result), view, style));
-  pcl_msf::io::writeImage (file, pictureSheet (pictures, 3, {255, 255, 255}));
+  try {
+    static OffscreenRenderer renderer; // starts an Xvfb where there is no display
+    std::vector<cv::Mat> pictures;
+    for (const PictureKind kind :
+         {PictureKind::BeforeTints, PictureKind::AfterTints, PictureKind::Motions})
+      pictures.push_back (renderer.render (cloudScene (kind, result), view, style));
+    pcl_msf::io::writeImage (file, pictureSheet (pictures, 3, {255, 255, 255}));
+  }
+  catch (const DisplayError& error) {
+    std::cerr << error.what() << "\n";
+    return false;
+  }
   std::cout << file << ": " << source.size() << " points, " << flow.groups
             << " motion groups\n";
+  return true;
 }

@@ -4,7 +4,8 @@
 # fail. COSTS: some "suite=seconds"; CTest starts the dearest first. EMULATOR: what runs
 # programs of another machine.
 cmake_minimum_required (VERSION 3.18)
-execute_process (COMMAND ${EMULATOR} "${PROGRAM}" --gtest_list_tests TIMEOUT 600 # a busy machine's
+set (command ${EMULATOR} "${PROGRAM}")
+execute_process (COMMAND ${command} --gtest_list_tests TIMEOUT 600 # a busy machine's
   OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE failed)
 if (failed)
   message (FATAL_ERROR "${PROGRAM} --gtest_list_tests: ${failed}\n${output}")
@@ -15,15 +16,12 @@ if (NOT suites)
   message (FATAL_ERROR "${PROGRAM} has no tests:\n${output}")
 endif ()
 
-list (JOIN EMULATOR "\" \"" command)
-string (APPEND command "\" \"${PROGRAM}")
-string (REGEX REPLACE "^\" \"" "" command "${command}")
-
+list (JOIN command "\" \"" quoted)
 set (text "")
 foreach (suite IN LISTS suites)
   # Skipped: the last lines say so, and none that a test failed.
   string (APPEND text
-    "add_test (\"${suite}\" \"${command}\" \"--gtest_filter=${suite}.*\")\n"
+    "add_test (\"${suite}\" \"${quoted}\" \"--gtest_filter=${suite}.*\")\n"
     "set_tests_properties (\"${suite}\" PROPERTIES WORKING_DIRECTORY \"${FOLDER}\"\n"
     "  SKIP_REGULAR_EXPRESSION [[\\[  SKIPPED \\] [^\n]*\n$]])\n")
 endforeach ()

@@ -26,10 +26,10 @@ int
 reassignTiles (const test::TiledScene& scene,
                const DataTerm& data,
                int threads,
-               MotionState& state)
+               MotionState& state,
+               AssignmentTuning tuning = {})
 {
   WindowState window (state);
-  AssignmentTuning tuning;
   tuning.separation = kSeparation;
   tuning.prior = 0.0;
   tuning.rounds = kRounds;
@@ -160,6 +160,25 @@ TEST_F (CoveredTile, KeepsAFreePlace)
     pixels.intensity[i] += 0.9f;
   reassign (state);
   EXPECT_EQ (state.poseOf (test::kCovered).parameters, away.parameters);
+}
+
+TEST_F (CoveredTile, IsNotDrivenOutByWhatFitsClearlyWorse)
+{
+  // The wall below is there, and looks it: just not beyond what noise may do.
+  SegmentPixels& pixels = scene_.pixels();
+  for (int i = pixels.begin[test::kFree]; i < pixels.begin[test::kFree + 1]; ++i)
+    if (pixels.brightness_scale[i] > 0.0f)
+      pixels.intensity[i] += 2.2f / pixels.brightness_scale[i];
+  const DataTerm data = scene_.data();
+  const RigidPose away = test::tilesAway (0, 1);
+  AssignmentTuning tuning;
+  for (const bool owns : {false, true}) {
+    MotionState state = scene_.solved();
+    test::setApart (state, test::kCovered, away);
+    tuning.landings.worse = owns ? 100.0 : 0.3;
+    reassignTiles (scene_, data, 1, state, tuning);
+    EXPECT_EQ (state.body_of[test::kCovered] == 0, owns);
+  }
 }
 
 TEST_F (CoveredTile, SmallBodyThatIsSeenKeepsItsMotion)
