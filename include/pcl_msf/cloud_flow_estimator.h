@@ -31,6 +31,9 @@ struct CloudFrame {
   std::vector<Eigen::Vector3f> points; ///< not finite = unknown
   std::vector<float> brightness; ///< per point, in any unit, NaN = unknown; empty =
                                  ///< none is known
+  /** Per point, of any length and to either side: which side is out, is found along the
+   * surface. Where one is not finite or zero, it is computed; empty = all are. */
+  std::vector<Eigen::Vector3f> normals{};
 };
 
 /** \brief Registers articulated and deforming bodies given as points without a grid.

@@ -292,6 +292,8 @@ private:
   bool
   usesNeighbors () const;
   void
+  requireFittingNormals () const;
+  void
   requireFittingLabels () const;
   detail::NeighborTask
   neighborTask (const pcl::Indices& points, const Matrix4& guess) const;

@@ -29,8 +29,11 @@ public:
   using NormalCloudConstPtr = pcl::PointCloud<pcl::Normal>::ConstPtr;
   using LabelCloudConstPtr = pcl::PointCloud<pcl::Label>::ConstPtr;
 
-  /** \brief Normals of the source, organized like it, used in place of computed ones;
-   * unit length, NaN = none. A null pointer returns to computed ones. */
+  /** \brief Normals of the source, one per point, used in place of computed ones. By
+   * the camera they are organized like the source, of unit length, NaN = none; by
+   * nearest neighbours of any length and to either side (which side is out, is found
+   * along the surface), NaN or zero = computed. A null pointer returns to computed
+   * ones, an empty cloud is refused. */
   void
   setSourceNormals (const NormalCloudConstPtr& normals);
   NormalCloudConstPtr

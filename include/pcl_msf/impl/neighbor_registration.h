@@ -79,6 +79,7 @@ struct NeighborTask {
   SolverParameters solver;
   MultiframeParameters multiframe;
   RigidPose start;
+  std::vector<Eigen::Vector3f> normals;              ///< per source point, or empty
   std::vector<float> brightness;                     ///< per source point, or empty
   std::vector<std::vector<float>> target_brightness; ///< per target and point, or empty
   double brightness_weight{1.0};
@@ -87,6 +88,9 @@ struct NeighborTask {
 /** Labels of a cloud of any shape, as labelImage tells them. */
 PCL_MSF_EXPORT std::vector<int>
 pointLabels (const pcl::PointCloud<pcl::Label>& labels);
+
+PCL_MSF_EXPORT std::vector<Eigen::Vector3f>
+pointNormals (const pcl::PointCloud<pcl::Normal>& normals);
 
 /** Labels of a source of `size` points by clusters. A point in several belongs to the
  * first. \throws InvalidInput for indices outside */

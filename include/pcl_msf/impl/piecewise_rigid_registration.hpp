@@ -149,6 +149,9 @@ PiecewiseRigidRegistration<PointT>::neighborTask (const pcl::Indices& points,
     task.target_brightness.push_back (bright ? detail::allBrightness (*target)
                                              : std::vector<float>());
   }
+  requireFittingNormals();
+  if (normals_)
+    task.normals = detail::pointNormals (*normals_);
   requireFittingLabels();
   if (labels_)
     task.labels = detail::pointLabels (*labels_);
@@ -221,6 +224,17 @@ PiecewiseRigidRegistration<PointT>::makeFrames() const
                              camera_,
                              frame_,
                              normals_ ? normalImage (*normals_) : cv::Mat());
+}
+
+template <typename PointT>
+void
+PiecewiseRigidRegistration<PointT>::requireFittingNormals() const
+{
+  if (normals_ && normals_->size() != aligned_->size())
+    throw InvalidInput ("there are " + std::to_string (normals_->size()) +
+                        " normals for " + std::to_string (aligned_->size()) +
+                        " points: call setSourceNormals with the source's own, or with "
+                        "null");
 }
 
 template <typename PointT>

@@ -200,7 +200,8 @@ framesOf (const NeighborTask& task)
     frames.push_back ({pointsOf (task.targets[t]), task.target_brightness[t]});
   frames.insert (frames.begin() + task.reference,
                  {choose (pointsOf (task.source), task.points),
-                  choose (task.brightness, task.points)});
+                  choose (task.brightness, task.points),
+                  choose (task.normals, task.points)});
   return frames;
 }
 
@@ -271,6 +272,16 @@ clusterLabels (const std::vector<pcl::PointIndices>& clusters, std::size_t size)
         labels[index] = static_cast<int> (k);
     }
   return labels;
+}
+
+std::vector<Eigen::Vector3f>
+pointNormals (const pcl::PointCloud<pcl::Normal>& normals)
+{
+  std::vector<Eigen::Vector3f> result;
+  result.reserve (normals.size());
+  for (const pcl::Normal& n : normals)
+    result.emplace_back (n.normal_x, n.normal_y, n.normal_z);
+  return result;
 }
 
 const std::vector<CloudJoint>&

@@ -7,12 +7,12 @@ namespace pcl_msf {
 void
 RegistrationSettings::setSourceNormals (const NormalCloudConstPtr& normals)
 {
-  if (!normals || normals->height > 1)
+  if (!normals || !normals->points.empty())
     normals_ = normals;
   else
     printError ("setSourceNormals",
-                "the normals are not organized: compute them on the whole source, or "
-                "give a null pointer to have them computed");
+                "there are no normals: give one per point of the source, or a null "
+                "pointer to have them computed");
 }
 
 void

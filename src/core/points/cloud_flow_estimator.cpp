@@ -55,7 +55,7 @@ CloudFlowEstimator::estimate (const std::vector<Eigen::Vector3f>& source,
                               const CloudBrightness& brightness) const
 {
   const GivenClouds given{
-      source, {{&target, &brightness, "target"}}, 0, segments, brightness.weight};
+      source, {{target, &brightness, "target"}}, 0, segments, brightness.weight};
   CloudWindow window (given, solver_, constraints_);
   return std::move (window.run (start, 0.0).front());
 }
@@ -70,14 +70,15 @@ CloudFlowEstimator::estimateWindow (const std::vector<CloudFrame>& frames,
   requireReference (frames.size(), reference);
   const CloudFrame& source = frames[reference];
   std::vector<CloudBrightness> brightness (frames.size());
-  GivenClouds given{source.points, {}, reference, segments, brightness_weight};
+  GivenClouds given{
+      {source.points, source.normals}, {}, reference, segments, brightness_weight};
   for (std::size_t f = 0; f < frames.size(); ++f) {
     if (static_cast<int> (f) == reference)
       continue;
     if (!source.brightness.empty() && !frames[f].brightness.empty())
       brightness[f] = {source.brightness, frames[f].brightness, brightness_weight};
     const std::string number = std::to_string (given.targets.size() + 1);
-    given.targets.push_back ({&frames[f].points,
+    given.targets.push_back ({{frames[f].points, frames[f].normals},
                               &brightness[f],
                               frames.size() > 2 ? "target " + number : "target"});
   }

@@ -57,7 +57,7 @@ CloudWindow::CloudWindow (const GivenClouds& given,
 , tuning_ (tuningFor (given.brightness_weight))
 , threads_ (threadCount (solver.threads))
 , progress_ (solver, kSteps * static_cast<int> (given.targets.size()))
-, segments_ (numberSegments (given.segments, given.source))
+, segments_ (numberSegments (given.segments, given.source.points))
 , frames_ (given.targets.size())
 {
   const int targets = static_cast<int> (frames_.size());
@@ -72,16 +72,16 @@ CloudWindow::CloudWindow (const GivenClouds& given,
     frame.before = beforeOf (t, given.reference);
     frame.clouds = prepare (t);
     addTextures (*target.brightness,
-                 given.source.size(),
-                 target.points->size(),
+                 given.source.points.size(),
+                 target.points.points.size(),
                  tuning_.points.brightness,
                  threads_,
                  frame.clouds);
     frame.prior = priorKnowledge (constraintsOf (t, constraints),
                                   frame.clouds,
                                   segments_,
-                                  given.source,
-                                  *target.points,
+                                  given.source.points,
+                                  target.points.points,
                                   tuning_.points.match);
   }
   segment_seconds_ = seconds();
@@ -92,9 +92,9 @@ CloudWindow::prepare (int target) const
 {
   const GivenTarget& given = given_.targets[target];
   if (target > 0)
-    return withTarget (frames_[0].clouds, *given.points, given.name, tuning_, threads_);
+    return withTarget (frames_[0].clouds, given.points, given.name, tuning_, threads_);
   return preparePointClouds (
-      given_.source, *given.points, tuning_, threads_, segments_.of, given.name);
+      given_.source, given.points, tuning_, threads_, segments_.of, given.name);
 }
 
 /** Pairs are of one target, guesses of those that they lead to. */
@@ -161,7 +161,7 @@ CloudWindow::run (const RigidPose& start, double concatenation_weight)
   const double solve_seconds = seconds() - segment_seconds_;
   std::vector<CloudFlow> flows = makeCloudFlows (frames_,
                                                  segments_,
-                                                 given_.source,
+                                                 given_.source.points,
                                                  solver_.merge_bodies,
                                                  tuning_.points,
                                                  threads_);

@@ -14,14 +14,14 @@ namespace pcl_msf {
 
 /** \brief A target as it came in. */
 struct GivenTarget {
-  const std::vector<Eigen::Vector3f>* points{nullptr};
+  InputPoints points;
   const CloudBrightness* brightness{nullptr};
   std::string name; ///< in messages
 };
 
 /** \brief A source and its targets as they came in. All must outlive the window. */
 struct GivenClouds {
-  const std::vector<Eigen::Vector3f>& source;
+  InputPoints source;
   std::vector<GivenTarget> targets; ///< in the order of time
   int reference{0};                 ///< targets that come before the source
   const std::vector<int>& segments;

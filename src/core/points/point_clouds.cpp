@@ -46,10 +46,13 @@ dropDoubles (const std::vector<Eigen::Vector3f>& points, std::vector<int>& chose
   std::sort (chosen.begin(), chosen.end());
 }
 
+/** None of none. */
 std::vector<Eigen::Vector3f>
 pick (const std::vector<Eigen::Vector3f>& points, const std::vector<int>& chosen)
 {
   std::vector<Eigen::Vector3f> picked;
+  if (points.empty())
+    return picked;
   picked.reserve (chosen.size());
   for (const int i : chosen)
     picked.push_back (points[i]);
@@ -80,9 +83,20 @@ requireFineSteps (double farthest, double size)
   throw InvalidInput (text.str());
 }
 
+/** \throws InvalidInput when there are normals, but not one per point */
+void
+requireNormals (const InputPoints& cloud, const std::string& name)
+{
+  if (!cloud.normals.empty() && cloud.normals.size() != cloud.points.size())
+    throw InvalidInput ("the " + name + " has " + std::to_string (cloud.points.size()) +
+                        " points and " + std::to_string (cloud.normals.size()) +
+                        " normals: give one per point, or none");
+}
+
 /** \param points scaled \param segments per point, of the chosen >= 0, or empty */
 WorkingCloud
 makeWorkingCloud (const std::vector<Eigen::Vector3f>& points,
+                  const std::vector<Eigen::Vector3f>& normals,
                   const std::vector<int>& chosen,
                   const std::vector<int>& segments,
                   const std::string& name,
@@ -97,8 +111,8 @@ makeWorkingCloud (const std::vector<Eigen::Vector3f>& points,
   dropDoubles (points, thinned);
   requireEnough (thinned.size(), name);
   std::vector<int> kept;
-  cloud.surface =
-      makeCleanSurface (pick (points, thinned), tuning.surface, threads, kept);
+  cloud.surface = makeCleanSurface (
+      pick (points, thinned), tuning.surface, threads, kept, pick (normals, thinned));
   for (const int k : kept)
     cloud.given.push_back (thinned[k]);
   requireEnough (cloud.given.size(), name);
@@ -126,6 +140,22 @@ scaledPoints (const PointClouds& clouds, const std::vector<Eigen::Vector3f>& poi
   return scaled;
 }
 
+WorkingCloud
+makeTarget (const PointClouds& clouds,
+            const InputPoints& target,
+            const std::string& name,
+            const Tuning& tuning,
+            int threads)
+{
+  return makeWorkingCloud (scaledPoints (clouds, target.points),
+                           target.normals,
+                           finitePoints (target.points),
+                           {},
+                           name,
+                           tuning,
+                           threads);
+}
+
 } // namespace
 
 RigidPose
@@ -142,55 +172,68 @@ PointClouds::scaled (const RigidPose& pose) const
   return RigidPose::fromMatrix (r, (pose.translation() - center + r * center) / size);
 }
 
+const std::vector<Eigen::Vector3f>&
+InputPoints::none()
+{
+  static const std::vector<Eigen::Vector3f> empty;
+  return empty;
+}
+
 PointClouds
-preparePointClouds (const std::vector<Eigen::Vector3f>& source,
-                    const std::vector<Eigen::Vector3f>& target,
+preparePointClouds (const InputPoints& source,
+                    const InputPoints& target,
                     const Tuning& tuning,
                     int threads,
                     const std::vector<int>& segments,
                     const std::string& name)
 {
   const char* const own_name = segments.empty() ? "source" : "segmented source";
+  requireNormals (source, own_name);
+  requireNormals (target, name);
   PointClouds clouds;
-  std::vector<int> finite = finitePoints (source);
+  std::vector<int> finite = finitePoints (source.points);
   if (!segments.empty())
     finite.erase (std::remove_if (finite.begin(),
                                   finite.end(),
                                   [&segments] (int i) { return segments[i] < 0; }),
                   finite.end());
   requireEnough (finite.size(), own_name);
-  Eigen::Vector3d low = source[finite[0]].cast<double>();
+  Eigen::Vector3d low = source.points[finite[0]].cast<double>();
   Eigen::Vector3d high = low;
   for (const int i : finite) {
-    low = low.cwiseMin (source[i].cast<double>());
-    high = high.cwiseMax (source[i].cast<double>());
+    low = low.cwiseMin (source.points[i].cast<double>());
+    high = high.cwiseMax (source.points[i].cast<double>());
   }
   clouds.center = 0.5 * (low + high);
   clouds.size = (high - low).norm();
   if (!(clouds.size > 0.0))
     throw InvalidInput ("all points of the source are at one place: give a surface");
   requireFineSteps (low.cwiseAbs().cwiseMax (high.cwiseAbs()).maxCoeff(), clouds.size);
-  clouds.source = makeWorkingCloud (
-      scaledPoints (clouds, source), finite, segments, own_name, tuning, threads);
-  clouds.target = makeWorkingCloud (
-      scaledPoints (clouds, target), finitePoints (target), {}, name, tuning, threads);
+  clouds.source = makeWorkingCloud (scaledPoints (clouds, source.points),
+                                    source.normals,
+                                    finite,
+                                    segments,
+                                    own_name,
+                                    tuning,
+                                    threads);
+  clouds.target = makeTarget (clouds, target, name, tuning, threads);
   return clouds;
 }
 
 PointClouds
 withTarget (const PointClouds& clouds,
-            const std::vector<Eigen::Vector3f>& target,
+            const InputPoints& target,
             const std::string& name,
             const Tuning& tuning,
             int threads)
 {
+  requireNormals (target, name);
   PointClouds other;
   other.source = clouds.source;
   other.source.texture = other.source.thin_texture = {};
   other.center = clouds.center;
   other.size = clouds.size;
-  other.target = makeWorkingCloud (
-      scaledPoints (clouds, target), finitePoints (target), {}, name, tuning, threads);
+  other.target = makeTarget (clouds, target, name, tuning, threads);
   return other;
 }
 

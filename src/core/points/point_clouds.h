@@ -48,6 +48,22 @@ struct PointClouds {
   scaled (const RigidPose& pose) const;
 };
 
+/** \brief The points of a cloud as they came in, and their normals. Both must outlive
+ * it. */
+struct InputPoints {
+  /** \param given_normals per point, as surfaceNormals takes given ones */
+  InputPoints (const std::vector<Eigen::Vector3f>& given_points,
+               const std::vector<Eigen::Vector3f>& given_normals = none())
+  : points (given_points), normals (given_normals)
+  {}
+
+  static const std::vector<Eigen::Vector3f>&
+  none ();
+
+  const std::vector<Eigen::Vector3f>& points;
+  const std::vector<Eigen::Vector3f>& normals;
+};
+
 /** \brief Prepares two clouds: without points that are not finite, doubled or off every
  * surface, and at most as many as are of use.
  * \param segments given ones, per source point; -1 = it takes no part; empty = none are
@@ -55,8 +71,8 @@ struct PointClouds {
  * \param name of the target, in messages
  * \throws InvalidInput naming the remedy when too few remain */
 PointClouds
-preparePointClouds (const std::vector<Eigen::Vector3f>& source,
-                    const std::vector<Eigen::Vector3f>& target,
+preparePointClouds (const InputPoints& source,
+                    const InputPoints& target,
                     const Tuning& tuning,
                     int threads,
                     const std::vector<int>& segments = {},
@@ -67,7 +83,7 @@ preparePointClouds (const std::vector<Eigen::Vector3f>& source,
  * \throws InvalidInput naming the remedy when too few of its points remain */
 PointClouds
 withTarget (const PointClouds& clouds,
-            const std::vector<Eigen::Vector3f>& target,
+            const InputPoints& target,
             const std::string& name,
             const Tuning& tuning,
             int threads);

@@ -129,6 +129,19 @@ tieSpecks (const Surface& surface,
       pairs.push_back (pair);
 }
 
+/** Leaves only some points, with the normals that they have. */
+void
+keepPoints (const std::vector<int>& kept, Surface& surface)
+{
+  for (auto* vectors : {&surface.points, &surface.normals}) {
+    if (vectors->empty())
+      continue;
+    for (std::size_t i = 0; i < kept.size(); ++i)
+      (*vectors)[i] = (*vectors)[kept[i]];
+    vectors->resize (kept.size());
+  }
+}
+
 /** Finds neighbours and spacings. */
 Neighbors
 spaceOut (Surface& surface, const SurfaceTuning& tuning, int threads)
@@ -184,14 +197,15 @@ connect (Surface& surface,
   });
 }
 
-/** Finds normals, graph and borders. */
+/** Finds normals, but for those that are there, graph and borders. */
 void
 finish (Surface& surface,
         const Neighbors& neighbors,
         const SurfaceTuning& tuning,
         int threads)
 {
-  surface.normals = surfaceNormals (surface.points, neighbors, tuning, threads);
+  surface.normals =
+      surfaceNormals (surface.points, neighbors, tuning, threads, surface.normals);
   connect (surface, neighbors, tuning, threads);
 }
 
@@ -213,16 +227,16 @@ Surface
 makeCleanSurface (std::vector<Eigen::Vector3f> points,
                   const SurfaceTuning& tuning,
                   int threads,
-                  std::vector<int>& kept)
+                  std::vector<int>& kept,
+                  std::vector<Eigen::Vector3f> normals)
 {
   Surface surface;
   surface.points = std::move (points);
+  surface.normals = std::move (normals);
   Neighbors neighbors = spaceOut (surface, tuning, threads);
   kept = onSurface (surface, neighbors, tuning, threads);
   if (static_cast<int> (kept.size()) < surface.size()) {
-    for (std::size_t i = 0; i < kept.size(); ++i)
-      surface.points[i] = surface.points[kept[i]];
-    surface.points.resize (kept.size());
+    keepPoints (kept, surface);
     neighbors = spaceOut (surface, tuning, threads);
   }
   finish (surface, neighbors, tuning, threads);

@@ -40,12 +40,14 @@ thinSurface (const Surface& surface,
 
 /** \brief The surface of those points that lie on one: not of one that is far from all
  * others or whose few neighbours lie around it like dust.
- * \param[out] kept their indices, ascending */
+ * \param[out] kept their indices, ascending
+ * \param normals per point, as surfaceNormals takes given ones */
 Surface
 makeCleanSurface (std::vector<Eigen::Vector3f> points,
                   const SurfaceTuning& tuning,
                   int threads,
-                  std::vector<int>& kept);
+                  std::vector<int>& kept,
+                  std::vector<Eigen::Vector3f> normals = {});
 
 /** \brief Connects pieces of a surface that belong to different segments and all but
  * touch, as faces do whose edge was left out. \param segment per point */

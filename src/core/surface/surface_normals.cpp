@@ -154,21 +154,37 @@ turnOutwards (const Points& points,
       normals[i] = -normals[i];
 }
 
+bool
+isDirection (const Eigen::Vector3f& vector)
+{
+  return vector.allFinite() && vector.cwiseAbs().maxCoeff() > 0.0f;
+}
+
+/** Unit, to either side. */
+Eigen::Vector3f
+planeNormal (const Points& points, int i, const std::vector<FoundPoint>& neighbors)
+{
+  const Eigen::Vector3f normal =
+      localScatter (points, i, neighbors).eigenvectors().col (0).cast<float>();
+  if (!normal.allFinite() || normal.norm() < 0.5f)
+    return Eigen::Vector3f::UnitZ();
+  return normal.normalized();
+}
+
 } // namespace
 
 std::vector<Eigen::Vector3f>
 surfaceNormals (const Points& points,
                 const Neighbors& neighbors,
                 const SurfaceTuning& tuning,
-                int threads)
+                int threads,
+                const Points& given)
 {
   Points normals (points.size());
   parallelFor (threads, static_cast<int> (points.size()), 256, [&] (int i) {
-    normals[i] =
-        localScatter (points, i, neighbors[i]).eigenvectors().col (0).cast<float>();
-    if (!normals[i].allFinite() || normals[i].norm() < 0.5f)
-      normals[i] = Eigen::Vector3f::UnitZ();
-    normals[i].normalize();
+    normals[i] = !given.empty() && isDirection (given[i])
+                     ? given[i].stableNormalized().eval()
+                     : planeNormal (points, i, neighbors[i]);
   });
   const std::vector<std::vector<int>> lists = bothWays (neighbors);
   std::vector<char> done (points.size(), 0);

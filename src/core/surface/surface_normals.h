@@ -10,12 +10,15 @@
 namespace pcl_msf {
 
 /** \brief Unit normals of points by their neighbours' planes, turned to one side along
- * the surface and outwards where it is closed. */
+ * the surface and outwards where it is closed.
+ * \param given per point, taken as they are but for length and side; where one is not
+ * finite or zero, and of all points when it is empty, neighbours tell */
 std::vector<Eigen::Vector3f>
 surfaceNormals (const std::vector<Eigen::Vector3f>& points,
                 const std::vector<std::vector<FoundPoint>>& neighbors,
                 const SurfaceTuning& tuning,
-                int threads);
+                int threads,
+                const std::vector<Eigen::Vector3f>& given = {});
 
 /** \brief How far a point is from the plane of its neighbours, and how far these are
  * from it themselves (one deviation). */

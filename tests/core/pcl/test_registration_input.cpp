@@ -195,6 +195,12 @@ const BadInput bad_inputs[] = {
      [] (Registration& r, auto&) {
        r.setSourceNormals (pcl::make_shared<pcl::PointCloud<pcl::Normal>> (80, 60));
      }},
+    {"NormalsWithoutAGrid",
+     "setSourceNormals",
+     [] (Registration& r, auto&) {
+       r.setSourceNormals (
+           pcl::make_shared<pcl::PointCloud<pcl::Normal>> (160 * 120, 1));
+     }},
     {"IndexOutside",
      "setIndices",
      [] (Registration& r, auto&) {

@@ -198,8 +198,11 @@ TEST (RegistrationSettings, SourceNormals)
   const auto normals = pcl::make_shared<Normals> (4, 3);
   r.setSourceNormals (normals);
   refused ("setSourceNormals",
-           [&] { r.setSourceNormals (pcl::make_shared<Normals> (12, 1)); });
+           [&] { r.setSourceNormals (pcl::make_shared<Normals>()); });
   EXPECT_EQ (r.getSourceNormals(), normals);
+  const auto list = pcl::make_shared<Normals> (12, 1); // of clouds without a grid
+  r.setSourceNormals (list);
+  EXPECT_EQ (r.getSourceNormals(), list);
   r.setSourceNormals (nullptr);
   EXPECT_FALSE (r.getSourceNormals());
 }

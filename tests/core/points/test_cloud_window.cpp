@@ -224,6 +224,10 @@ TEST_F (CloudWindow, SaysWhatItCannotTake)
   EXPECT_THAT (message (frames, 0, {}, NAN), HasSubstr ("brightness"));
   EXPECT_THAT (message (frames, 0, {{{1, 1, 1.0, 2}}, {}, {}, {}}),
                HasSubstr ("target 2"));
+  frames[1].normals.resize (kPoints + 1);
+  EXPECT_THAT (message (frames, 0),
+               HasSubstr ("the target 1 has 1200 points and 1201 normals"));
+  frames[1].normals.clear();
   frames[2].points.resize (3);
   EXPECT_THAT (message (frames, 0), HasSubstr ("the target 2 has 3"));
   frames[0].brightness.resize (4);

@@ -101,6 +101,33 @@ TEST (Surface, NormalsOfAClosedSurfacePointOutwards)
   EXPECT_EQ (sizes.size(), 1u);
 }
 
+TEST (Surface, GivenNormalsStayButForLengthAndSide)
+{
+  const Points points = sphere (2000);
+  Points normals = points;
+  for (std::size_t i = 0; i < normals.size(); ++i)
+    normals[i] *= i % 3 == 0 ? -5.0f : 1e-30f;
+  normals[7] = Eigen::Vector3f::Zero();
+  normals[8].setConstant (std::numeric_limits<float>::quiet_NaN());
+  std::vector<int> kept;
+  const Surface surface = makeCleanSurface (points, {}, 2, kept, normals);
+  ASSERT_EQ (surface.size(), 2000);
+  for (int i = 0; i < surface.size(); ++i)
+    EXPECT_GT (surface.normals[i].dot (points[i]), i == 7 || i == 8 ? 0.97f : 0.99999f)
+        << i;
+}
+
+TEST (Surface, GivenNormalsOfDustLeaveWithIt)
+{
+  Points points = sphere (2000);
+  points.insert (points.begin(), Eigen::Vector3f (9.0f, 9.0f, 9.0f));
+  std::vector<int> kept;
+  const Surface surface = makeCleanSurface (points, {}, 2, kept, points);
+  ASSERT_EQ (surface.size(), 2000);
+  for (int i = 0; i < surface.size(); ++i)
+    EXPECT_GT (surface.normals[i].dot (surface.points[i]), 0.99999f) << i;
+}
+
 TEST (Surface, DistancesRunAlongIt)
 {
   const Points points = sphere (4000);
