@@ -167,7 +167,7 @@ CloudWindow::run (const RigidPose& start, double concatenation_weight)
                                                  threads_);
   for (int t = 0; t < targets; ++t) {
     CloudFlow& flow = flows[t];
-    noteOutcome (progress_, tuning_.points.result, flow);
+    noteOutcome (progress_, frames_[t].solve->scattered(), tuning_.points.result, flow);
     if (targets > 1 && !flow.report.message.empty())
       flow.report.message = given_.targets[t].name + ": " + flow.report.message;
     flow.report.segment_seconds = segment_seconds_;

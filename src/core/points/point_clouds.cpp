@@ -16,7 +16,9 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr std::size_t kFewest = 20; // points that make a surface
+constexpr std::size_t kFewest = 20;  // points that make a surface
+constexpr int kMostStray = 100;      // of so many points one may be a stray, per side
+constexpr float kStrayRanges = 5.0f; // of all others from them: a stray is farther off
 
 std::vector<int>
 finitePoints (const std::vector<Eigen::Vector3f>& points)
@@ -26,6 +28,34 @@ finitePoints (const std::vector<Eigen::Vector3f>& points)
     if (points[i].allFinite())
       finite.push_back (static_cast<int> (i));
   return finite;
+}
+
+/** Leaves out points so far from nearly all others that these would shrink to a speck
+ * beside them: a few measurements of nothing. */
+void
+dropStrays (const std::vector<Eigen::Vector3f>& points, std::vector<int>& chosen)
+{
+  const auto count = static_cast<std::ptrdiff_t> (chosen.size());
+  const std::ptrdiff_t few = count / kMostStray;
+  Eigen::Vector3f low;
+  Eigen::Vector3f high;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<float> values;
+    for (const int i : chosen)
+      values.push_back (points[i][axis]);
+    std::nth_element (values.begin(), values.begin() + few, values.end());
+    low[axis] = values[few];
+    std::nth_element (values.begin(), values.end() - few - 1, values.end());
+    high[axis] = values[count - few - 1];
+  }
+  const float margin = kStrayRanges * (high - low).maxCoeff();
+  if (!(margin > 0.0f))
+    return;
+  const auto stray = [&] (int i) {
+    return (low - points[i]).maxCoeff() > margin ||
+           (points[i] - high).maxCoeff() > margin;
+  };
+  chosen.erase (std::remove_if (chosen.begin(), chosen.end(), stray), chosen.end());
 }
 
 /** Of points at one place the first. */
@@ -198,6 +228,7 @@ preparePointClouds (const InputPoints& source,
                                   [&segments] (int i) { return segments[i] < 0; }),
                   finite.end());
   requireEnough (finite.size(), own_name);
+  dropStrays (source.points, finite);
   Eigen::Vector3d low = source.points[finite[0]].cast<double>();
   Eigen::Vector3d high = low;
   for (const int i : finite) {

@@ -12,6 +12,8 @@ namespace pcl_msf {
 
 namespace {
 
+constexpr int kDense = 6; // blocks per pose: a surface's own segments have about 4
+
 ceres::Problem::Options
 optionsWith (ceres::EvaluationCallback* callback)
 {
@@ -67,10 +69,13 @@ double
 PointProblem::step (int iterations)
 {
   ceres::Solver::Options options;
-  if (terms_.size() == 1)
-    useSparseCholesky (options);
+  // Chains would fill the factor, and so would segments that lie among each other.
+  const bool fills = terms_.size() > 1 || problem_.NumResidualBlocks() >
+                                              kDense * problem_.NumParameterBlocks();
+  if (fills)
+    options.linear_solver_type = ceres::CGNR;
   else
-    options.linear_solver_type = ceres::CGNR; // chains would fill the factor
+    useSparseCholesky (options);
   options.max_num_iterations = iterations;
   options.function_tolerance = 1e-3;
   options.gradient_tolerance = 0.0;

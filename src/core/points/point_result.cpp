@@ -213,6 +213,7 @@ makeCloudFlows (const std::vector<PointFrame>& frames,
 
 void
 noteOutcome (const SolveProgress& progress,
+             double scattered,
              const PointResultTuning& tuning,
              CloudFlow& flow)
 {
@@ -257,6 +258,13 @@ noteOutcome (const SolveProgress& progress,
     report.message = "the source is torn or twisted: its segments are " +
                      fixedText (flow.gap, 2) +
                      " of their radius apart, mean; give a start that is nearer";
+  }
+  else if (scattered > tuning.scattered) {
+    report.stop_reason = StopReason::DifferentPlaces;
+    report.message = fixedText (100.0 * scattered, 1) +
+                     " % of both clouds lie off each other, by noise or motions that "
+                     "the points do not tell: keep a camera's clouds organized, filter "
+                     "to larger distances, or give a start that is nearer";
   }
   report.converged = report.stop_reason == StopReason::Converged;
 }

@@ -22,9 +22,11 @@ makeCloudFlows (const std::vector<PointFrame>& frames,
 
 /** \brief Fills in the report: how it ended, and whether the clouds were found on each
  * other.
+ * \param scattered see PointSolve
  * \param tuning how much of the clouds must be found on each other */
 void
 noteOutcome (const SolveProgress& progress,
+             double scattered,
              const PointResultTuning& tuning,
              CloudFlow& flow);
 

@@ -44,6 +44,8 @@ PointSolve::PointSolve (const PointClouds& clouds,
     known_.normals.push_back (clouds.source.surface.normals[known.place]);
   }
   poses_.assign (cuts_[0].segments.size(), start);
+  free_ = prior.points.empty() && prior.guesses.empty() && prior.fixed.empty() &&
+          clouds.source.segment.empty();
   for (const auto& [segment, pose] : prior.guesses)
     poses_[segment] = pose;
   enter (0);
@@ -53,6 +55,7 @@ void
 PointSolve::beginAt (const std::vector<RigidPose>& poses)
 {
   poses_ = poses;
+  free_ = false;
   cut_ = static_cast<int> (cuts_.size()) - 1;
   enter (0);
 }
@@ -279,12 +282,15 @@ void
 PointSolve::run()
 {
   const int last = static_cast<int> (tuning_.stages.size()) - 1;
+  const RigidPose start = poses_[0];
   if (known_.size() > 0)
     chooseStart();
   descend (known_.size() > 0 ? tuning_.limbs.cut + 1 : 0, last);
   seekLimbs();
   if (cut_ != last) // stopped
     enter (last);
+  if (free_)
+    preferWhole (start);
 }
 
 } // namespace pcl_msf

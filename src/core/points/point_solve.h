@@ -94,6 +94,13 @@ public:
   {
     return cuts_[cut_].label;
   }
+  /** \brief What one rigid motion, which the parts' gave way to, leaves of both clouds;
+   * 0 when they did not. */
+  double
+  scattered () const
+  {
+    return scattered_;
+  }
   /** \brief Is brightness as the motion says, or is there none? */
   bool
   brightnessAgrees ();
@@ -131,6 +138,12 @@ private:
   missed () const;
   void
   descend (int first, int last);
+  RigidPose
+  registerWhole (const RigidPose& start);
+  std::pair<double, double>
+  uncovered (const std::vector<RigidPose>& poses);
+  void
+  preferWhole (const RigidPose& start);
   void
   chooseStart ();
   bool
@@ -155,6 +168,8 @@ private:
   PointSamples known_;           ///< points of known pairs
   std::vector<RigidPose> poses_; ///< per segment of the present cut
   double most_explained_{0.0};   ///< where fresh starts begin
+  double scattered_{0.0};
+  bool free_{false}; ///< nothing is known beforehand but one start of all
   MatchTarget coarse_;
   MatchTarget fine_;
 };

@@ -114,6 +114,7 @@ partValues (PointTuning& tuning)
           {"points.result.least_source", &result.least_source, 0, 1},
           {"points.result.border", &result.border, 0, 100},
           {"points.result.loose", &result.loose, 0, 1},
+          {"points.result.scattered", &result.scattered, 0, 1},
           {"points.result.gap", &result.gap, 0, 100},
           {"points.result.overlap.most", &result.overlap.most, 0, 1},
           {"points.result.overlap.near", &result.overlap.near, 0, 1000},
@@ -123,6 +124,18 @@ partValues (PointTuning& tuning)
           {"points.result.overlap.samples", &result.overlap.samples, 1, 1e7}};
 }
 
+TunedValues
+wholeValues (WholeTuning& whole)
+{
+  return {{"points.whole.from", &whole.from, 1e-6, 10},
+          {"points.whole.to", &whole.to, 1e-6, 10},
+          {"points.whole.steps", &whole.steps, 2, 1000},
+          {"points.whole.near", &whole.near, 1e-6, 1},
+          {"points.whole.spacings", &whole.spacings, 0, 100},
+          {"points.whole.left", &whole.left, 0, 1},
+          {"points.whole.least", &whole.least, 0, 1}};
+}
+
 } // namespace
 
 void
@@ -130,6 +143,7 @@ listValues (PointTuning& tuning, TunedValues& values)
 {
   for (const TunedValues& own : {matchingValues (tuning),
                                  limbValues (tuning.limbs),
+                                 wholeValues (tuning.whole),
                                  windowValues (tuning.window),
                                  sectionValues (tuning.parts.section),
                                  partValues (tuning)})

@@ -174,6 +174,21 @@ struct SelfOverlapTuning {
   int samples{4000};  ///< of the source; likewise
 };
 
+/** \brief When one rigid motion of all is the answer; see "Parts must explain what one
+ * motion leaves" in DECISIONS.md. */
+struct WholeTuning {
+  double from{0.1};  ///< sizes: scale of the matches' robust weight in the first step
+  double to{0.01};   ///< and in the last one
+  int steps{30};     ///< more is slower
+  double near{0.01}; ///< sizes: a point this near the other cloud is covered ...
+  double spacings{1.5}; ///< ... or this many spacings of the target: more sees less of
+                        ///< what is wrong
+  double left{0.6};     ///< of what one motion leaves uncovered: parts that leave more
+                        ///< give way; more believes in parts that are chance
+  double least{0.04};   ///< share that is left at all events before this is asked: less
+                      ///< is slower
+};
+
 /** \brief What is told of the result. */
 struct PointResultTuning {
   SelfOverlapTuning overlap;
@@ -194,6 +209,8 @@ struct PointResultTuning {
                              ///< more hides lost limbs
   double loose{0.02};        ///< share of the target in one piece that may be bare
                              ///< without a cut in the source: more hides lost limbs
+  double scattered{0.4};     ///< of both clouds: more may not lie off each other where
+                             ///< parts gave way to one motion: more believes in it
   double gap{0.2}; ///< radii of a segment between neighbours, mean: more hides
                    ///< torn surfaces
 };
@@ -220,6 +237,7 @@ struct PointTuning {
                                     {400, 0.02, 0.03, 0.005, 15}}};
   IsometryTuning isometry;
   LimbTuning limbs;
+  WholeTuning whole;
   PointWindowTuning window;
   PointPartTuning parts;
   PointResultTuning result;
