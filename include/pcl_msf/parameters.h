@@ -87,7 +87,7 @@ struct Progress {
   int iteration{0};      ///< iterations so far, over all levels
   double fraction{0.0};  ///< estimated share of the work that is done, [0, 1]
   double cost{0.0};      ///< present energy
-  const char* stage{""}; ///< name of the stage
+  const char* stage{""}; ///< name of the stage; "result" when all is done
 };
 
 struct PCL_MSF_EXPORT SolverParameters {
@@ -108,7 +108,8 @@ struct PCL_MSF_EXPORT SolverParameters {
   unsigned threads{0};     ///< [0, 1024], 0 = all; the result does not depend on it
 
   /** \brief Called after each iteration in the calling thread; false cancels, an
-   * exception ends the registration. */
+   * exception ends the registration. Unless cancelled, it is called once more when the
+   * result is there, with fraction 1; then false changes nothing. */
   std::function<bool (const Progress&)> progress;
 
   bool

@@ -244,12 +244,13 @@ TEST_F (CloudWindow, CanBeCancelledAndTellsOfItsStages)
   bool window = false;
   double fraction = 0.0;
   solver.progress = [&] (const Progress& progress) {
-    window = window || std::string (progress.stage) == "window";
+    stage = progress.stage;
+    window = window || stage == "window";
     EXPECT_GE (progress.fraction, fraction);
     fraction = progress.fraction;
-    return true;
+    return stage != "result"; // too late
   };
-  CloudFlowEstimator (solver).estimateWindow (frames);
+  EXPECT_TRUE (CloudFlowEstimator (solver).estimateWindow (frames)[0].report.converged);
   EXPECT_TRUE (window);
   for (const int last : {3, 80}) { // in the first frame's solve, and later
     int calls = 0;
@@ -279,3 +280,6 @@ TEST (CloudWindowColors, TellWhatSlidesWithinItsSurface)
 }
 
 } // namespace
+  std::string stage;
+  EXPECT_EQ (fraction, 1.0);
+  EXPECT_EQ (stage, "result");
