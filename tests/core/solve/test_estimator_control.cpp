@@ -200,7 +200,7 @@ TEST_F (Room, RefusesBadInputAndSaysWhy)
       [&] {
         SceneFlowEstimator (energy, {}).estimate (reference_, current_, segments_);
       },
-      "prior_weight must be > 0");
+      "prior_weight must be in [1e-12, 1e12]");
   SolverParameters solver = alone();
   solver.levels = 0;
   refused ([&] { estimate (solver); }, "levels must be in [1, 10]");
