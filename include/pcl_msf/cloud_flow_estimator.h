@@ -56,7 +56,10 @@ struct CloudFrame {
  */
 class PCL_MSF_EXPORT CloudFlowEstimator {
 public:
-  /** \param multiframe of windows its concatenation_weight alone, lambda of Eq. 14
+  /** \param solver its max_seconds, threads, merge_bodies and progress; steps,
+   * tolerances, levels, linear_solver, flow_proposals, blend_motions and refine_flow
+   * are of the camera's way and have no effect
+   * \param multiframe of windows its concatenation_weight alone, lambda of Eq. 14
    * between clouds that follow each other; 0 = each cloud is solved for itself, from
    * where the one before it was found, and only the parts are common
    * \throws InvalidInput for bad values */
