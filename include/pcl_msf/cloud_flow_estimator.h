@@ -30,7 +30,7 @@ struct CloudBrightness {
 struct CloudFrame {
   std::vector<Eigen::Vector3f> points; ///< not finite = unknown
   std::vector<float> brightness; ///< per point, in any unit, NaN = unknown; empty =
-                                 ///< none is known
+                                 ///< none is known, any other number is refused
   /** Per point, of any length and to either side: which side is out, is found along the
    * surface. Where one is not finite or zero, it is computed; empty = all are. */
   std::vector<Eigen::Vector3f> normals{};
@@ -56,7 +56,10 @@ struct CloudFrame {
  */
 class PCL_MSF_EXPORT CloudFlowEstimator {
 public:
-  /** \param multiframe of windows its concatenation_weight alone, lambda of Eq. 14
+  /** \param solver its max_seconds, threads, merge_bodies and progress; steps,
+   * tolerances, levels, linear_solver, flow_proposals, blend_motions and refine_flow
+   * are of the camera's way and have no effect
+   * \param multiframe of windows its concatenation_weight alone, lambda of Eq. 14
    * between clouds that follow each other; 0 = each cloud is solved for itself, from
    * where the one before it was found, and only the parts are common
    * \throws InvalidInput for bad values */
@@ -65,7 +68,7 @@ public:
                                MultiframeParameters multiframe = {});
 
   /** \param source, target 20 different finite points or more each
-   * \param start where to begin: one rigid motion of all
+   * \param start where to begin: one rigid motion of all, finite
    * \param segments a label per source point, negative = takes no part and is unknown
    * in the result; empty = the surface is cut into segments. Given ones are used as
    * they are: each is rigid up to its border and in one part (`merge_bodies` tells
@@ -85,8 +88,8 @@ public:
    * \param frames two or more, in the order of time; 20 different finite points or more
    * each
    * \param reference index of the frame whose points are followed: the source
-   * \param start of all, one rigid motion: into the frame after the reference, or into
-   * the one before it when there is none after it
+   * \param start of all, one rigid motion, finite: into the frame after the reference,
+   * or into the one before it when there is none after it
    * \param segments of the reference's points, as in estimate
    * \param brightness_weight [0, 1000], as CloudBrightness's; frames that have none are
    * registered by shape alone

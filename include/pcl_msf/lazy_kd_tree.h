@@ -56,6 +56,11 @@ public:
   void
   setQueryCamera (const Eigen::Matrix<float, 4, 4>& cloud_from_query);
 
+  /** \brief For clouds of no camera: from now on all finite points are found, and by
+   * all finite queries, as at first. */
+  void
+  clearQueryCamera ();
+
   int
   nearestKSearch (const PointT& point,
                   int k,
@@ -88,7 +93,7 @@ private:
   void
   forgetTree ();
 
-  bool depth_only_{false};                ///< was setQueryCamera called?
+  bool depth_only_{false};                ///< is there a camera of queries?
   Eigen::Vector3f query_origin_{0, 0, 0}; ///< place of the camera that saw the queries
   Eigen::Vector3f query_axis_{0, 0, 1};   ///< and where it looked
   mutable std::mutex mutex_;

@@ -46,12 +46,10 @@ struct PCL_MSF_EXPORT MultiframeSceneFlow {
    * reference, see poseBetween. */
   std::vector<PairMotion> motions;
 
-  /** \brief The whole window's report: times, iterations, energy of Eq. 13. */
+  /** \brief The whole window's report: times, iterations, energy of Eq. 13. Without
+   * frames an empty one, which has StopReason::NotRun. */
   const Report&
-  report () const
-  {
-    return frames.at (reference).report;
-  }
+  report () const;
 
   /** \brief T_k^{from,to} for any two frames: the pair's own pose, its inverse, or,
    * where no such pair was used, by way of the reference. Identity for from = to.

@@ -19,8 +19,9 @@ enum class NormalMethod {
 /** \brief How a frame is prepared. */
 struct PCL_MSF_EXPORT FrameParameters {
   double smoothing_sigma{0.7}; ///< Gaussian on the intensity, pixels, [0, 10]; 0 = none
-  double min_depth{0.0};       ///< metres; nearer points are dropped, >= 0
-  double max_depth{1000.0};    ///< metres; farther points are dropped, > min_depth
+  double min_depth{0.0};       ///< metres; nearer points are dropped, [0, 1e12]
+  double max_depth{1000.0};    ///< metres; farther points are dropped, above min_depth,
+                               ///< at most 1e12
   int max_levels{5};           ///< pyramid levels at the most, [1, 10]
   int finest_level{0}; ///< [0, 4]: the images are halved so often before anything else,
                        ///< and what is found is carried back to all pixels by their own
@@ -43,8 +44,9 @@ enum class SegmentationMethod {
 
 struct PCL_MSF_EXPORT SegmentationParameters {
   SegmentationMethod method{SegmentationMethod::TangentPlane};
-  double threshold{0.5}; ///< Felzenszwalb's, the paper's; the smoothing's sigma is 0.5
-  int min_points{2000};  ///< Felzenszwalb: smaller segments are merged or discarded
+  double threshold{0.5};     ///< Felzenszwalb's, the paper's, [1e-9, 1e12]; the
+                             ///< smoothing's sigma is 0.5
+  int min_points{2000};      ///< Felzenszwalb: smaller segments are merged or discarded
   bool discard_small{false}; ///< Felzenszwalb: discard small segments (true) or merge
   int segment_size{24}; ///< TangentPlane, Slic, Tiles: aimed side, pixels, [4, 512]
 
@@ -63,11 +65,14 @@ enum class PoseDifference {
 
 /** \brief Weights of Eq. 5. Every term is divided by its number of residuals. */
 struct PCL_MSF_EXPORT EnergyParameters {
-  double brightness_weight{1.0};  ///< alpha, >= 0
-  double icp_weight{1.0};         ///< beta, >= 0
-  double regularizer_weight{0.1}; ///< gamma, >= 0; links along a surface count more
-  double prior_weight{0.1};       ///< eta, > 0; sqrt (eta / gamma) = width, pixels
-  double huber_threshold{1.0};    ///< epsilon, in standard deviations, >= 0; 0 = L1
+  double brightness_weight{1.0};  ///< alpha, [0, 1e12]
+  double icp_weight{1.0};         ///< beta, [0, 1e12]; alpha and beta are not both 0
+  double regularizer_weight{0.1}; ///< gamma, [0, 1e12]; links along a surface count
+                                  ///< more
+  double prior_weight{0.1};       ///< eta, [1e-12, 1e12]; sqrt (eta / gamma) = width,
+                                  ///< pixels
+  double huber_threshold{1.0};    ///< epsilon, in standard deviations, [0, 1e12]; 0 =
+                                  ///< L1
   LossType loss{LossType::Huber};
   PoseDifference pose_difference{PoseDifference::Metric};
   int neighbors{6}; ///< n_psi, nearest centroids per segment, [0, 64]
@@ -87,17 +92,20 @@ struct Progress {
   int iteration{0};      ///< iterations so far, over all levels
   double fraction{0.0};  ///< estimated share of the work that is done, [0, 1]
   double cost{0.0};      ///< present energy
-  const char* stage{""}; ///< name of the stage
+  const char* stage{""}; ///< name of the stage; "result" when all is done
 };
 
 struct PCL_MSF_EXPORT SolverParameters {
   int max_iterations{
       6}; ///< Levenberg-Marquardt steps per level, fewer on fine ones, >= 0
   double function_tolerance{
-      5e-3}; ///< stop when a step lowers E by less than this share, >= 0
-  double parameter_tolerance{1e-7}; ///< stop when |dx| < tolerance |x|, >= 0
-  double max_seconds{0.0}; ///< time for one registration, 0 = no limit; when it is used
-                           ///< up the best result so far has StopReason::TimeLimit
+      5e-3}; ///< stop when a step lowers E by less than this share, [0, 1]
+  double parameter_tolerance{1e-7}; ///< stop when |dx| < tolerance |x|, [0, 1]
+  double max_seconds{0.0}; ///< when a registration has taken so long, [0, 1e12], it
+                           ///< makes no further step, and the best so far has
+                           ///< StopReason::TimeLimit; 0 = no limit. Only steps end
+                           ///< so: frames and segments, the start, and in the end the
+                           ///< result take their time
   LinearSolver linear_solver{LinearSolver::Cgnr};
   int levels{4};             ///< pyramid levels to use at the most, [1, 10]
   bool flow_proposals{true}; ///< start from optical flow lifted by depth as well
@@ -108,7 +116,8 @@ struct PCL_MSF_EXPORT SolverParameters {
   unsigned threads{0};     ///< [0, 1024], 0 = all; the result does not depend on it
 
   /** \brief Called after each iteration in the calling thread; false cancels, an
-   * exception ends the registration. */
+   * exception ends the registration. Unless cancelled, it is called once more when the
+   * result is there, with fraction 1; then false changes nothing. */
   std::function<bool (const Progress&)> progress;
 
   bool

@@ -34,23 +34,23 @@ namespace pcl_msf {
  * <b>Input.</b> Points x right, y down, z forward in metres; NaN, inf, or z <= 0 = no
  * measurement. Brightness from rgb, rgba or intensity; types with none of them are
  * aligned by geometry alone; normals in the points are not used, see setSourceNormals.
- * Both clouds come from one pinhole camera: setCamera, or it is estimated from the
- * source.
+ * One pinhole camera took both: setCamera, or it is estimated from the source.
  *
  * <b>Output.</b> align's cloud is the source carried to the target, each point by its
  * displacement, organized like the source; normals turn with their segments; other
  * fields, header and sensor pose are the source's. It may be the source itself, not one
- * of the targets. A point without depth or with unknown motion is NaN, never
- * left where it was. The one 4x4 matrix of PCL's interface is the motion of the
- * dominant motion group (of most visible points); all the rest is in getSceneFlow.
+ * of the targets. A point without depth or with unknown motion is NaN, never left where
+ * it was. The 4x4 matrix is the motion of the dominant motion group (of most visible
+ * points); all the rest is in getSceneFlow.
  *
- * <b>Clouds without a grid</b> (laser scans, merged or filtered clouds, vertices) are
- * registered by nearest neighbours, see setCorrespondence and CloudFlowEstimator: any
- * unit, any z. Brightness that varies over both tells what slides within its surface.
- * Parts are the segments, the same in all frames, getJoints tells how they turn; images
- * of the scene flow are as wide as the cloud, optical flow is NaN. setIndices leaves
- * out points exactly there. setKnownCorrespondences, setCloudConstraints: what is
- * known. Each frame's own report says whether that one was found.
+ * <b>Clouds without a grid</b> (scans, merged or filtered clouds, vertices: one row or
+ * column, or not width x height points) are registered by nearest neighbours, see
+ * setCorrespondence and CloudFlowEstimator: any unit, any z. Brightness that varies
+ * over both tells what slides within its surface. Parts are the segments, the same in
+ * all frames, getJoints tells how they turn; images of the scene flow are as wide as
+ * the cloud, optical flow is NaN. setIndices leaves out points exactly there.
+ * setKnownCorrespondences, setCloudConstraints: what is known. Each frame's own report
+ * says whether that one was found.
  *
  * <b>Several targets.</b> addInputTarget and setInputTargets make a window of frames in
  * the order of time, the source being the one that setReferenceFrame says, the first by
@@ -71,7 +71,8 @@ namespace pcl_msf {
  * <b>Copies</b> start with the original's settings, clouds and result and share nothing
  * that an align changes. A search object set with force_no_recompute is shared; any
  * other becomes a LazyKdTree of its own with the same settings; a correspondence
- * estimation, which is not used, is not copied.
+ * estimation, which is not used, is not copied. One that was moved from has its
+ * settings, but neither clouds nor a result.
  *
  * <b>Convergence.</b> hasConverged () is getReport ().converged. As with PCL's ICP, it
  * is true when the optimization ran to its end: the energy's change fell below the
@@ -80,7 +81,10 @@ namespace pcl_msf {
  * output is the best so far), when a target shows a different place (the output is what
  * was found nevertheless), when no motion could be determined (the output is NaN, the
  * matrix the identity), and after a failure. For the last three the reason is printed
- * with PCL_ERROR and in getReport ().message.
+ * with PCL_ERROR and in getReport ().message, by nearest neighbours when it was cut
+ * short, too; by the camera then only where the best so far fits badly. New targets or
+ * an empty source make hasConverged () false, another source does not; getReport () is
+ * the last align's.
  *
  * <b>Failure.</b> Bad input prints a PCL_ERROR that names the remedy; then hasConverged
  * () is false, the matrix is the identity, the output is the untransformed source and
@@ -100,9 +104,8 @@ namespace pcl_msf {
  * successful align, with the warped source and the indices of corresponding points in
  * it and in the target.
  *
- * No kd-tree is built unless somebody queries getSearchMethodTarget or
- * getSearchMethodSource, see LazyKdTree. An object can be used again and again; it is
- * not safe to use one from two threads at once, different ones are independent.
+ * No kd-tree is built before getSearchMethodTarget or ...Source is queried, see
+ * LazyKdTree. An object can be used again; two threads must not use one at once.
  *
  * Instantiated for PointXYZ, PointXYZI, PointXYZRGB, PointXYZRGBA, PointNormal,
  * PointXYZINormal and PointXYZRGBNormal; for other types define PCL_NO_PRECOMPILE
@@ -139,6 +142,10 @@ public:
   /** \brief All targets, in the order of time. An empty one among them drops all. */
   void
   setInputTargets (const std::vector<PointCloudTargetConstPtr>& clouds);
+  /** \brief The same for a vector of other pointers to such clouds. */
+  template <typename CloudPtr>
+  void
+  setInputTargets (const std::vector<CloudPtr>& clouds);
 
   void
   clearInputTargets ();
@@ -212,9 +219,10 @@ public:
    * visible in both clouds and, as in PCL, whose squared distance is at most max_range.
    * The largest double when there are none. \note Hides the base's. Through a base
    * pointer PCL's own runs: nearest neighbours of the source moved by the dominant
-   * motion, which builds the kd-tree; points without depth do not count. It takes the
-   * source as it is then and the target as it was at the first query since align: after
-   * clouds were refilled in place, align first. This one keeps what align saw. */
+   * motion, which builds the kd-tree; by the camera points without depth do not count,
+   * by nearest neighbours all finite ones do. It takes the source as it is then and the
+   * target as it was at the first query since align: after clouds were refilled in
+   * place, align first. This one keeps what align saw. */
   double
   getFitnessScore (double max_range = (std::numeric_limits<double>::max)());
 
@@ -328,7 +336,8 @@ private:
   int reference_{0};
   MultiframeSceneFlow result_;
   std::vector<std::vector<CloudJoint>> joints_; ///< per frame; empty = by the camera
-  int shown_{0}; ///< frame of the last target, in result_
+  int shown_{0};             ///< frame of the last target, in result_
+  bool by_neighbors_{false}; ///< was the last source registered so?
   detail::PointSelection selection_;
 
 public:
@@ -338,15 +347,3 @@ public:
 } // namespace pcl_msf
 
 #include <pcl_msf/impl/piecewise_rigid_registration.hpp>
-
-#if !defined(PCL_NO_PRECOMPILE) && PCL_MSF_SAME_LAYOUT
-namespace pcl_msf {
-extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZ>;
-extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZI>;
-extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZRGB>;
-extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZRGBA>;
-extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointNormal>;
-extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZINormal>;
-extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZRGBNormal>;
-} // namespace pcl_msf
-#endif

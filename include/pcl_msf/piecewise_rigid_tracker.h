@@ -26,10 +26,13 @@ namespace pcl_msf {
  * reference that changes: none from outside. A setting changed between clouds takes
  * effect at the next restart. Without setCamera the camera is estimated from the first
  * cloud. Memory does not grow with the number of clouds. A cloud is copied when it is
- * added: its object may be filled anew for the next one. Not thread-safe; different
- * trackers, copies too, are independent.
+ * added: its object may be filled anew for the next one. One that was moved from keeps
+ * its settings and begins anew, as after restart. Not thread-safe; different trackers,
+ * copies too, are independent.
  *
- * Instantiated as PiecewiseRigidRegistration is.
+ * Instantiated for PointXYZ, PointXYZI, PointXYZRGB, PointXYZRGBA and
+ * PointXYZRGBNormal; for other types, and with flags such as -march=native, as
+ * PiecewiseRigidRegistration.
  */
 template <typename PointT>
 class PiecewiseRigidTracker : public SceneFlowSettings {

@@ -32,12 +32,14 @@ struct RegisteredClouds {
  *   pcl::io::savePCDFileBinary ("warped.pcd", result.warped);
  * \endcode
  *
- * \param source, target pointers to clouds of the camera's optical frame, in metres,
- * NaN where there is no depth; of the same size Throws nothing; thread-safe. */
+ * \param source, target pointers to clouds, Ptr or ConstPtr each, of the camera's
+ * optical frame, in metres, NaN where there is no depth; of the same size. Throws
+ * nothing; thread-safe. */
 template <typename CloudPtr,
           typename PointT = typename CloudPtr::element_type::PointType>
 RegisteredClouds<PointT>
-registerClouds (const CloudPtr& source, const CloudPtr& target)
+registerClouds (const CloudPtr& source,
+                const typename pcl::PointCloud<PointT>::ConstPtr& target)
 {
   PiecewiseRigidRegistration<PointT> registration;
   registration.setInputSource (source);

@@ -16,7 +16,8 @@ namespace pcl_msf {
 
 /** \brief How a point of the source finds the target's. */
 enum class CorrespondenceMethod {
-  Auto,           ///< NearestNeighbor where the source or every target has no grid
+  Auto,           ///< NearestNeighbor where the source or every target has no grid: one
+                  ///< row or column, or points that are not width x height
   Projective,     ///< by the camera: brightness and projective ICP
   NearestNeighbor ///< by place and normal, see CloudFlowEstimator
 };
@@ -42,10 +43,10 @@ public:
     return normals_;
   }
 
-  /** \brief Segments from outside: one label per point of the source, organized like
-   * it. See labelImage for "none"; points that PCL's SupervoxelClustering leaves out
-   * bear 0, a label like any other: make it the largest number. Replaces clusters; a
-   * null pointer and an empty cloud are refused.
+  /** \brief Segments from outside: one label per point of the source, by the camera
+   * organized like it. See labelImage for "none"; points that PCL's
+   * SupervoxelClustering leaves out bear 0, a label like any other: make it the largest
+   * number. Replaces clusters; a null pointer and an empty cloud are refused.
    *
    * Points in no segment take no part, their motion is unknown. By nearest neighbours,
    * too, segments are used as they are: each is rigid, see CloudFlowEstimator;
@@ -73,7 +74,8 @@ public:
    * neighbours. With NearestNeighbor camera, frame and segmentation parameters have
    * no effect, of the energy's only brightness_weight: of colours beside shapes
    * where both clouds have some that vary, 0 = shapes alone, and of the multiframe's
-   * only concatenation_weight, of neighbouring frames. */
+   * only concatenation_weight, of neighbouring frames; of the solver's only
+   * max_seconds, threads, merge_bodies and progress, see CloudFlowEstimator. */
   void
   setCorrespondence (CorrespondenceMethod method);
   CorrespondenceMethod

@@ -204,7 +204,8 @@ struct PCL_MSF_EXPORT SceneFlow {
    * together, > 0; NaN where the flow is unknown, everywhere without a camera's grid.
    */
   cv::Mat flow_deviation;
-  /** \brief CV_32FC1, metres: the same of the displacement, all three together. */
+  /** \brief CV_32FC1, metres: the same of the displacement, all three together; NaN
+   * everywhere, too, where nearest neighbours took the camera's place. */
   cv::Mat displacement_deviation;
 
   std::vector<SegmentMotion> segments;

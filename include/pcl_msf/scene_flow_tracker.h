@@ -68,6 +68,10 @@ public:
   SceneFlowTracker (const SceneFlowTracker& other);
   SceneFlowTracker&
   operator= (const SceneFlowTracker& other);
+  /** \brief The other one is left as the first constructor makes it. */
+  SceneFlowTracker (SceneFlowTracker&& other);
+  SceneFlowTracker&
+  operator= (SceneFlowTracker&& other);
   ~SceneFlowTracker();
 
   /** \brief Takes the next frame; it needs normals. With the first one there is no
@@ -90,7 +94,8 @@ public:
   /** \brief How many frames were given before the window's reference. */
   long
   firstFrame () const;
-  /** \brief How many frames were given before a frame of the window. */
+  /** \brief How many frames were given before a frame of the window.
+   * \param frame 0 to frames () - 1 \throws InvalidInput for others */
   long
   frameIndex (int frame) const;
 

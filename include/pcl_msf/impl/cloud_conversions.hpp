@@ -85,6 +85,26 @@ rawIntensity (const PointT& point)
   return std::isfinite (intensity) ? intensity : 0.0f;
 }
 
+/** Is the cloud an image? One row is none, nor is one column. */
+template <typename PointT>
+bool
+isGrid (const pcl::PointCloud<PointT>& cloud)
+{
+  return cloud.width > 1 && cloud.height > 1 &&
+         static_cast<std::size_t> (cloud.width) * cloud.height == cloud.size();
+}
+
+/** Message of a cloud that is no image, with the remedy. */
+template <typename PointT>
+std::string
+notOrganized (const pcl::PointCloud<PointT>& cloud, const std::string& name)
+{
+  return "the " + name + " is not organized (" + std::to_string (cloud.width) + "x" +
+         std::to_string (cloud.height) + ", " + std::to_string (cloud.size()) +
+         " points): give the whole image with NaN where there is no "
+         "depth; filters keep it so with setKeepOrganized (true)";
+}
+
 } // namespace detail
 
 template <typename PointT>
@@ -96,11 +116,7 @@ requireOrganized (const pcl::PointCloud<PointT>& cloud, const std::string& name)
   const std::size_t area = static_cast<std::size_t> (cloud.width) * cloud.height;
   if (cloud.height > 1 && area == cloud.size())
     return;
-  throw InvalidInput (
-      "the " + name + " is not organized (" + std::to_string (cloud.width) + "x" +
-      std::to_string (cloud.height) + ", " + std::to_string (cloud.size()) +
-      " points): give the whole image with NaN where there is no "
-      "depth; filters keep it so with setKeepOrganized (true)");
+  throw InvalidInput (detail::notOrganized (cloud, name));
 }
 
 template <typename PointT>

@@ -10,8 +10,8 @@ namespace pcl_msf {
 namespace detail {
 
 /** A pcl::Registration whose copies share nothing that an align changes. PCL's own
- * share correspondences, search objects and the list of all indices, through pointers.
- */
+ * share correspondences, search objects and the list of all indices, through pointers,
+ * and one that was moved from keeps its convergence. */
 template <typename PointT>
 class IndependentRegistration : public pcl::Registration<PointT, PointT, float> {
   using Base = pcl::Registration<PointT, PointT, float>;
@@ -25,9 +25,7 @@ public:
     this->target_ = pcl::make_shared<Cloud>();
     // PCL hands both clouds to its search objects in every align: lazy ones cost
     // nothing.
-    const auto tree = pcl::make_shared<LazyKdTree<PointT>>();
-    tree->setQueryCamera (Eigen::Matrix4f::Identity());
-    this->setSearchMethodTarget (tree);
+    this->setSearchMethodTarget (pcl::make_shared<LazyKdTree<PointT>>());
     this->setSearchMethodSource (pcl::make_shared<LazyKdTree<PointT>>());
   }
   IndependentRegistration (const IndependentRegistration& other) : Base (other)
@@ -39,6 +37,21 @@ public:
   {
     Base::operator= (other);
     separate();
+    return *this;
+  }
+  /** The other one is left without clouds and without a result. */
+  IndependentRegistration (IndependentRegistration&& other) : Base (other)
+  {
+    separate();
+    other.forget();
+  }
+  IndependentRegistration&
+  operator= (IndependentRegistration&& other)
+  {
+    if (this == &other)
+      return *this;
+    *this = static_cast<const IndependentRegistration&> (other);
+    other.forget();
     return *this;
   }
 
@@ -55,6 +68,18 @@ private:
       this->tree_reciprocal_ = LazyKdTree<PointT>::copyOf (*this->tree_reciprocal_);
     this->correspondence_estimation_.reset(); // not used, but written to by every align
     this->indices_.reset();                   // the next align makes them anew
+  }
+  void
+  forget ()
+  {
+    this->input_ = pcl::make_shared<Cloud>();
+    this->target_ = pcl::make_shared<Cloud>();
+    this->source_cloud_updated_ = this->target_cloud_updated_ = true;
+    this->indices_.reset();
+    this->correspondences_->clear();
+    this->final_transformation_ = this->transformation_ = Base::Matrix4::Identity();
+    this->nr_iterations_ = 0;
+    this->converged_ = false;
   }
 
 public:

@@ -64,6 +64,15 @@ LazyKdTree<PointT>::setQueryCamera (const Eigen::Matrix<float, 4, 4>& cloud_from
 }
 
 template <typename PointT>
+void
+LazyKdTree<PointT>::clearQueryCamera()
+{
+  if (depth_only_)
+    forgetTree(); // it lacks points without depth
+  depth_only_ = false;
+}
+
+template <typename PointT>
 bool
 LazyKdTree<PointT>::hasDepth (const PointT& query) const
 {

@@ -5,6 +5,7 @@
 #include <pcl_msf/cloud_conversions.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/impl/piecewise_rigid_registration_inputs.hpp>
+#include <pcl_msf/impl/piecewise_rigid_registration_neighbors.hpp>
 #include <pcl_msf/impl/piecewise_rigid_registration_results.hpp>
 #include <pcl_msf/impl/registration_steps.h>
 #include <pcl_msf/piecewise_rigid_registration.h>
@@ -48,7 +49,7 @@ PiecewiseRigidRegistration<PointT>::computeTransformation (PointCloudSource& out
   try {
     points = takeSource (output);
     checkTargets();
-    if (usesNeighbors()) {
+    if (by_neighbors_) {
       matchNeighbors (points, guess, output);
       showResult (output, points);
       return;
@@ -93,7 +94,10 @@ PiecewiseRigidRegistration<PointT>::takeSource (PointCloudSource& output)
                         "give another cloud");
   // A copy, because the output can be the source, which can be filled anew later, too.
   const auto source = pcl::make_shared<PointCloudSource> (*this->input_);
+  const std::string no_grid = detail::whyNoGrid (*source, "source"); // as it came
+  detail::fitShape (*source);
   aligned_ = source;
+  by_neighbors_ = usesNeighbors();
   output.sensor_origin_ = source->sensor_origin_;
   output.sensor_orientation_ = source->sensor_orientation_;
   pcl::Indices points;
@@ -103,89 +107,16 @@ PiecewiseRigidRegistration<PointT>::takeSource (PointCloudSource& output)
     output.clear();
   else if (!selection_.isAll())
     detail::pickPoints (*source, points, output);
+  else
+    detail::fitShape (output);
   if (source->empty())
     throw InvalidInput ("there is no source, or its cloud has no points: fill it, or "
                         "call setInputSource");
   if (!misfit.empty())
     throw InvalidInput (misfit);
-  if (!usesNeighbors())
-    requireOrganized (*source, "source");
+  if (!by_neighbors_ && !no_grid.empty())
+    throw InvalidInput (no_grid);
   return points;
-}
-
-template <typename PointT>
-bool
-PiecewiseRigidRegistration<PointT>::usesNeighbors() const
-{
-  if (correspondence_ != CorrespondenceMethod::Auto)
-    return correspondence_ == CorrespondenceMethod::NearestNeighbor;
-  // Of some of the targets, the misfit is told.
-  return aligned_->height == 1 ||
-         (!targets_.empty() &&
-          std::all_of (targets_.begin(), targets_.end(), [] (const auto& target) {
-            return target->height == 1;
-          }));
-}
-
-template <typename PointT>
-detail::NeighborTask
-PiecewiseRigidRegistration<PointT>::neighborTask (const pcl::Indices& points,
-                                                  const Matrix4& guess) const
-{
-  detail::NeighborTask task;
-  task.source = detail::allPoints (*aligned_);
-  task.points = points;
-  task.reference = reference_;
-  task.constraints = constraints_;
-  task.solver = getSolverParameters();
-  task.multiframe = multiframe_;
-  task.start = detail::startPose (guess);
-  task.brightness_weight = (std::min) (energy_.brightness_weight, 1000.0);
-  const bool bright = task.brightness_weight > 0.0;
-  if (bright)
-    task.brightness = detail::allBrightness (*aligned_);
-  for (const PointCloudTargetConstPtr& target : targets_) {
-    task.targets.push_back (detail::allPoints (*target));
-    task.target_brightness.push_back (bright ? detail::allBrightness (*target)
-                                             : std::vector<float>());
-  }
-  requireFittingNormals();
-  if (normals_)
-    task.normals = detail::pointNormals (*normals_);
-  requireFittingLabels();
-  if (labels_)
-    task.labels = detail::pointLabels (*labels_);
-  else if (!clusters_.empty())
-    task.labels = detail::clusterLabels (clusters_, aligned_->size());
-  return task;
-}
-
-template <typename PointT>
-void
-PiecewiseRigidRegistration<PointT>::matchNeighbors (const pcl::Indices& points,
-                                                    const Matrix4& guess,
-                                                    PointCloudSource& output)
-{
-  detail::NeighborTask task = neighborTask (points, guess);
-  detail::GuardedProgress progress (task.solver.progress);
-  task.solver.progress = progress.function();
-  detail::NeighborRegistration found = detail::registerByNeighbors (task);
-  progress.rethrow();
-  result_ = std::move (found.flow);
-  joints_ = std::move (found.joints);
-  shown_ = detail::lastTarget (static_cast<int> (result_.frames.size()), reference_);
-  detail::warpCloud (getSceneFlow(), points, output);
-  const SceneFlow& flow = getSceneFlow();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const int match = found.target[points[i]];
-    if (match < 0 || flow.visibility.data[points[i]] != Visibility::Visible)
-      continue;
-    const float distance =
-        (output[i].getVector3fMap() - (*this->target_)[match].getVector3fMap())
-            .squaredNorm();
-    this->correspondences_->emplace_back (points[i], match, distance);
-  }
-  publish();
 }
 
 template <typename PointT>
@@ -203,8 +134,15 @@ PiecewiseRigidRegistration<PointT>::checkTargets() const
 {
   if (targets_.empty())
     throw InvalidInput ("there is no target: call setInputTarget");
-  for (std::size_t k = 0; k < targets_.size() && !usesNeighbors(); ++k)
-    requireOrganized (*targets_[k], detail::targetName (k, targets_.size()));
+  for (std::size_t k = 0; k < targets_.size(); ++k) {
+    const std::string name = detail::targetName (k, targets_.size());
+    if (targets_[k]->empty())
+      throw InvalidInput ("the " + name +
+                          " is empty: fill it, or set the targets anew");
+    const std::string no_grid = detail::whyNoGrid (*targets_[k], name);
+    if (!by_neighbors_ && !no_grid.empty())
+      throw InvalidInput (no_grid);
+  }
   if (reference_ > static_cast<int> (targets_.size()))
     throw InvalidInput ("the reference frame lies beyond the targets: call "
                         "setReferenceFrame with 0 to their number");
@@ -214,6 +152,7 @@ template <typename PointT>
 std::vector<RgbdFrame>
 PiecewiseRigidRegistration<PointT>::makeFrames() const
 {
+  requireFittingNormals();
   std::vector<detail::CloudImages> clouds;
   for (const PointCloudTargetConstPtr& target : targets_)
     clouds.push_back ({coordinateImage (*target), colorImage (*target)});
@@ -230,7 +169,14 @@ template <typename PointT>
 void
 PiecewiseRigidRegistration<PointT>::requireFittingNormals() const
 {
-  if (normals_ && normals_->size() != aligned_->size())
+  if (!normals_)
+    return;
+  const bool organized = by_neighbors_ || (normals_->width == aligned_->width &&
+                                           normals_->height == aligned_->height);
+  if (!organized && normals_->size() == aligned_->size())
+    throw InvalidInput ("the normals are not organized like the source: call "
+                        "setSourceNormals with its own, or with null");
+  if (normals_->size() != aligned_->size())
     throw InvalidInput ("there are " + std::to_string (normals_->size()) +
                         " normals for " + std::to_string (aligned_->size()) +
                         " points: call setSourceNormals with the source's own, or with "
@@ -241,8 +187,12 @@ template <typename PointT>
 void
 PiecewiseRigidRegistration<PointT>::requireFittingLabels() const
 {
-  if (labels_ &&
-      (labels_->width != aligned_->width || labels_->height != aligned_->height))
+  if (!labels_)
+    return;
+  const bool fits = by_neighbors_ ? labels_->size() == aligned_->size()
+                                  : labels_->width == aligned_->width &&
+                                        labels_->height == aligned_->height;
+  if (!fits)
     throw InvalidInput ("the labels have another size than the source: call "
                         "setSegmentation with its own, or clearSegmentation");
 }
@@ -308,7 +258,11 @@ PiecewiseRigidRegistration<PointT>::setFinalTransformation (
   this->final_transformation_ = this->transformation_ = transformation;
   // By it getFitnessScore of the base moves the source's points to where it searches.
   const auto tree = std::dynamic_pointer_cast<LazyKdTree<PointT>> (this->tree_);
-  if (tree && !this->force_no_recompute_)
+  if (!tree || this->force_no_recompute_)
+    return;
+  if (by_neighbors_)
+    tree->clearQueryCamera();
+  else
     tree->setQueryCamera (transformation);
 }
 
@@ -327,3 +281,15 @@ PiecewiseRigidRegistration<PointT>::fail (StopReason reason, const char* why)
 }
 
 } // namespace pcl_msf
+
+#if !defined(PCL_NO_PRECOMPILE) && PCL_MSF_SAME_LAYOUT
+namespace pcl_msf {
+extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZ>;
+extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZI>;
+extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZRGB>;
+extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZRGBA>;
+extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointNormal>;
+extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZINormal>;
+extern template class PCL_MSF_EXPORT PiecewiseRigidRegistration<pcl::PointXYZRGBNormal>;
+} // namespace pcl_msf
+#endif

@@ -69,6 +69,16 @@ PiecewiseRigidRegistration<PointT>::setInputTargets (
 }
 
 template <typename PointT>
+template <typename CloudPtr>
+void
+PiecewiseRigidRegistration<PointT>::setInputTargets (
+    const std::vector<CloudPtr>& clouds)
+{
+  setInputTargets (
+      std::vector<PointCloudTargetConstPtr> (clouds.begin(), clouds.end()));
+}
+
+template <typename PointT>
 void
 PiecewiseRigidRegistration<PointT>::clearInputTargets()
 {

@@ -75,8 +75,9 @@ typename PiecewiseRigidTracker<PointT>::PointCloud
 PiecewiseRigidTracker<PointT>::getWarpedCloud() const
 {
   const SceneFlow& flow = getSceneFlow();
-  return flow.displacement.empty() ? PointCloud()
-                                   : detail::warpedCloud (flow, *reference_);
+  return flow.displacement.empty() || !reference_
+             ? PointCloud()
+             : detail::warpedCloud (flow, *reference_);
 }
 
 } // namespace pcl_msf

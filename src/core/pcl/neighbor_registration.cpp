@@ -108,7 +108,8 @@ isCameraView (const cv::Mat& points)
 void
 hintAtLostGrid (const cv::Mat& source, const cv::Mat& target, Report& report)
 {
-  const bool lost = source.rows == 1 || target.rows == 1;
+  const auto listed = [] (const cv::Mat& m) { return m.rows == 1 || m.cols == 1; };
+  const bool lost = listed (source) || listed (target);
   if (report.stop_reason == StopReason::DifferentPlaces && lost &&
       isCameraView (source) && isCameraView (target))
     report.message += "; if a camera took them, keep the clouds organized, which tells "

@@ -174,6 +174,7 @@ CloudWindow::run (const RigidPose& start, double concatenation_weight)
     flow.report.solve_seconds = solve_seconds;
     flow.report.result_seconds = seconds() - segment_seconds_ - solve_seconds;
   }
+  progress_.finish();
   return flows;
 }
 

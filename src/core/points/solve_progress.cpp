@@ -25,15 +25,35 @@ SolveProgress::note (int level, double cost, const char* stage)
     reason_ = StopReason::TimeLimit;
   if (!solver_.progress)
     return !stopped();
-  Progress progress;
-  progress.level = level;
-  progress.iteration = iterations();
+  Progress progress = present();
   progress.fraction = std::min (1.0, static_cast<double> (iterations()) / steps_);
-  progress.cost = cost;
   progress.stage = stage;
   if (!solver_.progress (progress) && !stopped())
     reason_ = StopReason::Cancelled;
   return !stopped();
+}
+
+Progress
+SolveProgress::present() const
+{
+  Progress progress;
+  progress.iteration = iterations();
+  if (!history_.empty()) {
+    progress.level = history_.back().level;
+    progress.cost = history_.back().cost;
+  }
+  return progress;
+}
+
+void
+SolveProgress::finish() const
+{
+  if (!solver_.progress || reason_ == StopReason::Cancelled)
+    return;
+  Progress progress = present();
+  progress.fraction = 1.0;
+  progress.stage = "result";
+  solver_.progress (progress); // nothing is left to cancel
 }
 
 } // namespace pcl_msf

@@ -22,6 +22,11 @@ public:
   bool
   note (int level, double cost, const char* stage);
 
+  /** \brief Tells the callback, once the results are there, that all is done; not one
+   * that has cancelled. */
+  void
+  finish () const;
+
   bool
   stopped () const
   {
@@ -46,6 +51,9 @@ public:
   seconds () const;
 
 private:
+  Progress
+  present () const;
+
   const SolverParameters& solver_;
   int steps_;
   std::chrono::steady_clock::time_point begin_;

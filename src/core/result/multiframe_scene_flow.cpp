@@ -18,6 +18,15 @@ MultiframeParameters::isValid (std::string* why) const
   return problem.empty();
 }
 
+const Report&
+MultiframeSceneFlow::report() const
+{
+  static const Report none{};
+  const bool held =
+      reference >= 0 && static_cast<std::size_t> (reference) < frames.size();
+  return held ? frames[reference].report : none;
+}
+
 RigidPose
 MultiframeSceneFlow::poseBetween (int from, int to, int segment) const
 {

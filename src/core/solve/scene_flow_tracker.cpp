@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
 #include "core/solve/frame_tracker.h"
+#include <pcl_msf/errors.h>
 #include <pcl_msf/scene_flow_tracker.h>
 
 #include <memory>
+#include <string>
+#include <utility>
 
 namespace pcl_msf {
 
@@ -26,6 +29,19 @@ SceneFlowTracker&
 SceneFlowTracker::operator= (const SceneFlowTracker& other)
 {
   *own_ = *other.own_;
+  return *this;
+}
+
+SceneFlowTracker::SceneFlowTracker (SceneFlowTracker&& other) : SceneFlowTracker()
+{
+  own_.swap (other.own_);
+}
+
+SceneFlowTracker&
+SceneFlowTracker::operator= (SceneFlowTracker&& other)
+{
+  SceneFlowTracker taken (std::move (other)); // first: it may be this one
+  own_.swap (taken.own_);
   return *this;
 }
 
@@ -58,7 +74,12 @@ SceneFlowTracker::firstFrame() const
 long
 SceneFlowTracker::frameIndex (int frame) const
 {
-  return own_->indices().at (frame);
+  const std::vector<long>& indices = own_->indices();
+  if (frame < 0 || static_cast<std::size_t> (frame) >= indices.size())
+    throw InvalidInput ("frameIndex: there is no frame " + std::to_string (frame) +
+                        " in a window of " + std::to_string (indices.size()) +
+                        ": give 0 to frames() - 1");
+  return indices[frame];
 }
 
 const MultiframeSceneFlow&

@@ -225,6 +225,8 @@ private:
   judge (MultiframeSceneFlow& result) const;
   void
   finishImages (MultiframeSceneFlow& result);
+  void
+  tellEnd () const;
 
   const std::vector<RgbdFrame>& frames_;
   const FramePairs pairs_;

@@ -121,6 +121,7 @@ WindowSolve::finish()
   finishImages (result);
   for (SceneFlow& flow : result.frames)
     flow.report = report_;
+  tellEnd();
   return result;
 }
 
@@ -167,6 +168,20 @@ WindowSolve::finishImages (MultiframeSceneFlow& result)
                     flow);
   }
   report_.result_seconds += monitor_.seconds() - before;
+}
+
+/** Tells the callback that all is done; not one that has cancelled. */
+void
+WindowSolve::tellEnd() const
+{
+  if (cancelled_ || !user_.progress)
+    return;
+  Progress progress;
+  progress.iteration = report_.iterations;
+  progress.fraction = 1.0;
+  progress.cost = report_.final_cost.total();
+  progress.stage = "result";
+  user_.progress (progress); // nothing is left to cancel
 }
 
 } // namespace pcl_msf

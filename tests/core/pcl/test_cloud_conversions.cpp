@@ -253,6 +253,8 @@ TEST (LazyKdTree, WithAQueryCameraPointsWithoutDepthDoNotCount)
   EXPECT_EQ (tree.nearestKSearch (query, 1, indices, distances), 0);
   EXPECT_EQ (distances.at (0), INFINITY);
   EXPECT_EQ (tree.radiusSearch (query, 9.0, indices, distances), 0);
+  tree.clearQueryCamera();
+  EXPECT_EQ (tree.nearestKSearch (query, 3, indices, distances), 3) << "as at first";
 }
 
 TEST (LazyKdTree, KeepsItsSettingsAndCopiesThem)

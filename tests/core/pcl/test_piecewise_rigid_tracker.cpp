@@ -154,6 +154,26 @@ TEST (PiecewiseRigidTracker, OneObjectCanBeFilledAnewForEachCloud)
     ASSERT_EQ (std::memcmp (&warped[i], &wanted[i], 3 * sizeof (float)), 0) << i;
 }
 
+TEST (PiecewiseRigidTracker, OneThatWasMovedFromIsEmptyAndBeginsAnew)
+{
+  const test::AnalyticScene scene = standingRoom();
+  const auto views = test::renderWindow (scene, 2);
+  PiecewiseRigidTracker<pcl::PointXYZI> tracker;
+  for (const test::View& view : views)
+    ASSERT_TRUE (tracker.addCloud (toCloud (scene, view)));
+  const Cloud wanted = tracker.getWarpedCloud();
+  PiecewiseRigidTracker<pcl::PointXYZI> moved (std::move (tracker));
+  EXPECT_EQ (moved.getWarpedCloud() (80, 60).x, wanted (80, 60).x);
+  PiecewiseRigidTracker<pcl::PointXYZI>& empty = tracker;
+  EXPECT_TRUE (empty.getWarpedCloud().empty());
+  EXPECT_TRUE (empty.getReferenceCloud() == nullptr);
+  EXPECT_TRUE (empty.getSceneFlow().displacement.empty());
+  EXPECT_EQ (empty.getMultiframeSceneFlow().report().stop_reason, StopReason::NotRun);
+  for (const test::View& view : views)
+    ASSERT_TRUE (empty.addCloud (toCloud (scene, view)));
+  EXPECT_EQ (empty.getWarpedCloud() (80, 60).x, wanted (80, 60).x);
+}
+
 TEST (PiecewiseRigidTracker, NormalsTurnAndTheSensorPoseStays)
 {
   using Point = pcl::PointXYZRGBNormal;

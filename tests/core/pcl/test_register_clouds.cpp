@@ -34,6 +34,10 @@ TEST (RegisterClouds, IsTheRegistrationWithItsDefaults)
     }
   EXPECT_EQ (result.scene_flow.dominant_motion.parameters,
              registration.getSceneFlow().dominant_motion.parameters);
+  for (const auto& same : {registerClouds (reference, current),
+                           registerClouds (reference, RigidPair::current())})
+    EXPECT_EQ (same.scene_flow.dominant_motion.parameters,
+               result.scene_flow.dominant_motion.parameters);
   const auto copied = registerClouds (*reference, *current);
   EXPECT_EQ (copied.scene_flow.dominant_motion.parameters,
              result.scene_flow.dominant_motion.parameters);

@@ -109,4 +109,34 @@ TEST (Registration, ATinyTimeBudgetEndsUnconvergedWithAResult)
   EXPECT_FALSE (registration.getSceneFlow().displacement.empty());
 }
 
+TEST (Registration, OneThatWasMovedFromIsEmptyAndCanBeUsedAgain)
+{
+  Registration registration;
+  registration.setInputSource (RigidPair::reference());
+  registration.setInputTarget (RigidPair::current());
+  Cloud output;
+  registration.align (output);
+  const double fitness = registration.getFitnessScore();
+  Registration moved (std::move (registration));
+  EXPECT_TRUE (moved.hasConverged());
+  EXPECT_EQ (moved.getFitnessScore(), fitness);
+  registration = Registration();
+  registration = std::move (moved);
+  EXPECT_EQ (registration.getFitnessScore(), fitness);
+  Registration& empty = moved; // NOLINT: that it may be used is the point
+  EXPECT_FALSE (empty.hasConverged());
+  EXPECT_FALSE (empty.getReport().converged);
+  EXPECT_TRUE (empty.getCorrespondences().empty());
+  EXPECT_TRUE (empty.getInputSource()->empty());
+  EXPECT_TRUE (empty.getInputTarget()->empty());
+  EXPECT_EQ (empty.getFinalTransformation(), Eigen::Matrix4f::Identity());
+  testing::internal::CaptureStderr();
+  empty.align (output);
+  EXPECT_THAT (testing::internal::GetCapturedStderr(), HasSubstr ("setInputSource"));
+  empty.setInputSource (RigidPair::reference());
+  empty.setInputTarget (RigidPair::current());
+  empty.align (output);
+  EXPECT_EQ (empty.getFitnessScore(), fitness);
+}
+
 } // namespace

@@ -124,6 +124,63 @@ TEST (RegistrationSettings, SolverParameters)
   EXPECT_TRUE (r.getSolverParameters().progress);
 }
 
+/** What valid parameters say after a change that spoils them. */
+template <typename Parameters, typename Change>
+std::string
+whyNot (const Change& spoil)
+{
+  Parameters parameters;
+  std::string why;
+  EXPECT_TRUE (parameters.isValid (&why)) << why;
+  spoil (parameters);
+  EXPECT_FALSE (parameters.isValid (&why));
+  return why;
+}
+
+TEST (RegistrationSettings, MessagesTellTheRangeThatIsTested)
+{
+  for (const double bad : {1e300, double (INFINITY)})
+    EXPECT_THAT (whyNot<SolverParameters> ([bad] (auto& p) { p.max_seconds = bad; }),
+                 HasSubstr ("max_seconds must be in [0, 1e12] s"));
+  EXPECT_THAT (whyNot<EnergyParameters> ([] (auto& p) { p.brightness_weight = 1e300; }),
+               HasSubstr ("brightness_weight must be in [0, 1e12]"));
+  EXPECT_THAT (
+      whyNot<EnergyParameters> ([] (auto& p) { p.regularizer_weight = 1e300; }),
+      HasSubstr ("regularizer_weight must be in [0, 1e12]"));
+  EXPECT_THAT (whyNot<EnergyParameters> ([] (auto& p) { p.prior_weight = 1e-300; }),
+               HasSubstr ("prior_weight must be in [1e-12, 1e12]"));
+  EXPECT_THAT (whyNot<FrameParameters> ([] (auto& p) { p.min_depth = 1e300; }),
+               HasSubstr ("min_depth must be in [0, 1e12]"));
+  EXPECT_THAT (whyNot<SegmentationParameters> ([] (auto& p) { p.threshold = 0.0; }),
+               HasSubstr ("threshold must be in [1e-9, 1e12]"));
+}
+
+TEST (RegistrationSettings, RefuseWhatIsNoValueOfItsEnumeration)
+{
+  Registration r;
+  EnergyParameters energy;
+  for (const int none : {9, -1}) {
+    energy.loss = static_cast<LossType> (none);
+    EXPECT_THAT (
+        refused ("setEnergyParameters", [&] { r.setEnergyParameters (energy); }),
+        HasSubstr ("loss is not a LossType"));
+  }
+  EXPECT_EQ (r.getEnergyParameters().loss, LossType::Huber);
+  EXPECT_THAT (whyNot<EnergyParameters> ([] (auto& p) {
+                 p.pose_difference = static_cast<PoseDifference> (2);
+               }),
+               HasSubstr ("pose_difference"));
+  EXPECT_THAT (whyNot<SolverParameters> (
+                   [] (auto& p) { p.linear_solver = static_cast<LinearSolver> (2); }),
+               HasSubstr ("linear_solver"));
+  EXPECT_THAT (whyNot<SegmentationParameters> (
+                   [] (auto& p) { p.method = static_cast<SegmentationMethod> (5); }),
+               HasSubstr ("method"));
+  EXPECT_THAT (whyNot<FrameParameters> (
+                   [] (auto& p) { p.normals = static_cast<NormalMethod> (3); }),
+               HasSubstr ("normals"));
+}
+
 TEST (RegistrationSettings, Threads)
 {
   Registration r;

@@ -144,4 +144,15 @@ TEST (RegistrationTargets, RefusesWhatDoesNotFit)
   EXPECT_EQ (registration.getMultiframeParameters().max_span, 0);
 }
 
+TEST (RegistrationTargets, PointersToCloudsThatMayChangeAreTakenToo)
+{
+  Registration registration;
+  const std::vector<Cloud::Ptr> changing{view (1), view (2)};
+  registration.setInputTargets (changing);
+  ASSERT_EQ (registration.getInputTargets().size(), 2U);
+  EXPECT_EQ (registration.getInputTargets()[1], changing[1]);
+  registration.setInputTargets ({changing[1]});
+  EXPECT_EQ (registration.getInputTargets().size(), 1U);
+}
+
 } // namespace

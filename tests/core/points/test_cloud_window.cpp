@@ -238,19 +238,60 @@ TEST_F (CloudWindow, SaysWhatItCannotTake)
   EXPECT_THROW (CloudFlowEstimator ({}, {}, multiframe), InvalidInput);
 }
 
+TEST_F (CloudWindow, RefusesBrightnessOfAnotherSizeThoughOnlyOneFrameHasSome)
+{
+  const CloudFlowEstimator estimator (solverWith (1));
+  for (const auto& [frame, name] :
+       {std::pair (0, "the source has 1200 points and 2 values of brightness"),
+        {2, "the target 2 has 1200 points and 2 values of brightness"}}) {
+    std::vector<CloudFrame> clouds = frames;
+    clouds[frame].brightness = {1.0F, 1.0F};
+    try {
+      estimator.estimateWindow (clouds);
+      ADD_FAILURE() << frame;
+    }
+    catch (const InvalidInput& error) {
+      EXPECT_THAT (error.what(), HasSubstr (name));
+      EXPECT_THAT (error.what(), HasSubstr ("give one per point"));
+    }
+  }
+}
+
+TEST_F (CloudWindow, RefusesAStartThatIsNotFiniteBeforeAllElse)
+{
+  const CloudFlowEstimator estimator (solverWith (1));
+  for (const double bad : {double (NAN), double (INFINITY)})
+    for (const int parameter : {0, 5}) {
+      RigidPose start;
+      start.parameters[parameter] = bad;
+      try {
+        estimator.estimate (frames[0].points, {}, start); // that there is no target
+        ADD_FAILURE() << bad;
+      }
+      catch (const InvalidInput& error) {
+        EXPECT_THAT (error.what(), HasSubstr ("the start is not finite: give"));
+      }
+      EXPECT_THROW (estimator.estimateWindow (frames, 0, start), InvalidInput);
+    }
+}
+
 TEST_F (CloudWindow, CanBeCancelledAndTellsOfItsStages)
 {
   SolverParameters solver = solverWith (2);
   bool window = false;
   double fraction = 0.0;
+  std::string stage;
   solver.progress = [&] (const Progress& progress) {
-    window = window || std::string (progress.stage) == "window";
+    stage = progress.stage;
+    window = window || stage == "window";
     EXPECT_GE (progress.fraction, fraction);
     fraction = progress.fraction;
-    return true;
+    return stage != "result"; // too late
   };
-  CloudFlowEstimator (solver).estimateWindow (frames);
+  EXPECT_TRUE (CloudFlowEstimator (solver).estimateWindow (frames)[0].report.converged);
   EXPECT_TRUE (window);
+  EXPECT_EQ (fraction, 1.0);
+  EXPECT_EQ (stage, "result");
   for (const int last : {3, 80}) { // in the first frame's solve, and later
     int calls = 0;
     solver.progress = [&] (const Progress&) { return ++calls < last; };

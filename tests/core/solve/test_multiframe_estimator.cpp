@@ -286,6 +286,17 @@ TEST (MultiframeEstimator, CancelsAndReportsIt)
   EXPECT_FALSE (result.frames[2].flow.empty()) << "the best so far";
 }
 
+TEST (MultiframeSceneFlow, WithoutTheReferencesFrameHasAnEmptyReport)
+{
+  MultiframeSceneFlow none;
+  EXPECT_EQ (none.report().stop_reason, StopReason::NotRun);
+  none.frames.resize (1);
+  none.frames[0].report.stop_reason = StopReason::Converged;
+  EXPECT_EQ (none.report().stop_reason, StopReason::Converged);
+  none.reference = -1;
+  EXPECT_EQ (none.report().stop_reason, StopReason::NotRun);
+}
+
 TEST (MultiframeEstimator, RefusesBadInput)
 {
   const Room room (3);
