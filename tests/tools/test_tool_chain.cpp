@@ -147,6 +147,20 @@ TEST_F (ToolChain, FlowErrorsSayWhatCannotBeCompared)
       "flow_error", t + t + folder_ ("deep.png"), {"deep.png: mask: 16 bit in 1"});
 }
 
+TEST_F (ToolChain, WithoutArgumentsToolsSayWhatIsMissing)
+{
+  for (const auto& [tool, missing] : {std::pair{"register", "SOURCE is required"},
+                                      std::pair{"register_clouds", "REFERENCE is"},
+                                      std::pair{"synthesize", "FOLDER is required"},
+                                      std::pair{"view", "FOLDER"}}) {
+    if (!hasTool (tool))
+      continue;
+    const ToolRun nothing = run (tool, "");
+    pcl_msf::testing::expectRefusal (nothing, tool, {missing});
+    EXPECT_NE (nothing.out, "") << tool;
+  }
+}
+
 TEST_F (ToolChain, HelpSucceedsAndUnknownOptionsDoNot)
 {
   for (const std::string tool : {"scene_flow",
