@@ -57,6 +57,30 @@ addOption (CLI::App& app,
 }
 
 CLI::Option*
+addList (CLI::App& app,
+         const std::string& name,
+         const std::string& help,
+         std::function<bool (const std::string&)> take,
+         const std::string& preset)
+{
+  const std::string type = "A,B,...";
+  const auto read = [name, type, help, take] (const CLI::results_t& given) {
+    std::string all;
+    for (const std::string& list : given)
+      all += (all.empty() ? "" : ",") + list;
+    if (!take (all))
+      throw UsageError (name + ": '" + all + "' is no " + type + "; " + help);
+    return true;
+  };
+  return app.add_option (name, read, help)
+      ->type_name (type)
+      ->default_str (preset)
+      ->expected (-1)
+      ->allow_extra_args (false)
+      ->multi_option_policy (CLI::MultiOptionPolicy::TakeAll);
+}
+
+CLI::Option*
 addText (CLI::App& app,
          const std::string& name,
          const std::string& type,

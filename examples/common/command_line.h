@@ -44,6 +44,15 @@ addOption (CLI::App& app,
            std::function<bool (const std::string&)> take,
            const std::string& preset = {});
 
+/** \brief An option for a list "A,B,..." that `take` reads; lists of an option that is
+ * given again are joined. */
+CLI::Option*
+addList (CLI::App& app,
+         const std::string& name,
+         const std::string& help,
+         std::function<bool (const std::string&)> take,
+         const std::string& preset);
+
 /** \brief An option for any text but an empty one. */
 CLI::Option*
 addText (CLI::App& app,
@@ -133,7 +142,7 @@ addWord (CLI::App& app,
       wordOf (value, words));
 }
 
-/** \brief An option for some of several words, joined by commas. */
+/** \brief An option for some of several words, joined by commas; see addList. */
 template <typename Enum>
 CLI::Option*
 addWords (CLI::App& app,
@@ -152,7 +161,7 @@ addWords (CLI::App& app,
         return false;
     return !values.empty();
   };
-  return addOption (app, name, "A,B,...", help, take, preset);
+  return addList (app, name, help, take, preset);
 }
 
 /** \brief The options that follow stand under this headline in the help. */

@@ -45,6 +45,10 @@ metresText (double metres)
 std::string
 remedy (double median, const DepthUnit& unit)
 {
+  const auto isUsual = [] (double metres) { return metres > 0.2 && metres < 20.0; };
+  if (!unit.optional)
+    return std::string ("give metres") +
+           (isUsual (median / 1000.0) ? " (millimetres?)" : "");
   if (unit.defined)
     return "give other limits";
   const std::string give =
@@ -52,11 +56,20 @@ remedy (double median, const DepthUnit& unit)
   for (const double used : {unit.scale.value_or (1.0), unit.scale.value_or (1000.0)})
     for (const double usual : {1000.0, 1.0, 5000.0, 10000.0, 100.0}) {
       const double metres = median * used / usual;
-      if (usual != used && metres > 0.2 && metres < 20.0)
+      if (usual != used && isUsual (metres))
         return give + ", for example " + generalText (usual) +
                (usual == 1000.0 * used ? " (millimetres?)" : "");
     }
   return give + ", or other limits";
+}
+
+std::string
+limitsText (const FrameParameters& limits, bool options)
+{
+  const std::string near = generalText (limits.min_depth);
+  const std::string far = generalText (limits.max_depth);
+  return options ? "--min-depth " + near + " and --max-depth " + far
+                 : near + " and " + far + " m";
 }
 
 /** Whoever sets a limit wants points to be dropped. */
@@ -96,9 +109,8 @@ checkDepth (const cv::Mat& depth,
   if (unit.scale)
     text += " with --depth-scale " + generalText (*unit.scale);
   if (much && (kept > 0 || !unlikely))
-    text += ", and " + fixedText (100.0 * dropped, 0) +
-            " % is dropped, not between --min-depth " + generalText (limits.min_depth) +
-            " and --max-depth " + generalText (limits.max_depth);
+    text += ", and " + fixedText (100.0 * dropped, 0) + " % is dropped, not between " +
+            limitsText (limits, unit.optional);
   text += "; " + remedy (middle, unit);
   if (kept == 0)
     throw UsageError (text);

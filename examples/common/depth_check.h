@@ -15,6 +15,7 @@ namespace pcl_msf::tool {
 struct DepthUnit {
   std::optional<double> scale; ///< what --depth-scale gave; none = a default
   bool defined{false};         ///< by the data, see RgbdSequence::definesDepthUnit
+  bool optional{true}; ///< has the tool --depth-scale, --min-depth and --max-depth?
 };
 
 /** \brief Looks whether a depth image can be in metres.

@@ -4,6 +4,8 @@
 
 #include <opencv2/core.hpp>
 
+#include <CLI/App.hpp>
+
 #include <algorithm>
 
 namespace pcl_msf::tool {
@@ -147,15 +149,23 @@ addMultiframeOptions (CLI::App& app, WindowSettings& settings)
 }
 
 void
-checkSettings (WindowSettings& settings)
+checkSettings (const CLI::App& app, WindowSettings& settings)
 {
   checkParameters (settings.frame);
   checkParameters (settings.segmentation);
+  if (settings.energy.brightness_weight == 0.0 && settings.energy.icp_weight == 0.0)
+    throw UsageError ("--brightness-weight, --icp-weight: both are 0; give one of them "
+                      "more, 1 for example");
   checkParameters (settings.energy);
   checkParameters (settings.solver);
   checkParameters (settings.multiframe);
-  if (settings.rigid)
-    settings.segmentation.method = SegmentationMethod::Single;
+  if (!settings.rigid)
+    return;
+  SegmentationMethod& method = settings.segmentation.method;
+  if (app.count ("--segmentation") > 0 && method != SegmentationMethod::Single)
+    throw UsageError ("--rigid: not together with --segmentation but 'single', for the "
+                      "whole scene is one segment; give one of them");
+  method = SegmentationMethod::Single;
 }
 
 void

@@ -32,10 +32,10 @@ struct WindowSettings : MethodSettings {
 void
 addMultiframeOptions (CLI::App& app, WindowSettings& settings);
 
-/** \brief Checks all parameters once they are read, and lets --rigid choose the
+/** \brief Checks all parameters once `app` has read them, and lets --rigid choose the
  * segmentation. \throws UsageError naming the option */
 void
-checkSettings (WindowSettings& settings);
+checkSettings (const CLI::App& app, WindowSettings& settings);
 
 /** \brief Lets OpenCV have no more threads than the settings allow. */
 void

@@ -73,10 +73,14 @@ clear (const std::string& folder, const std::string& tool)
 
 } // namespace
 
-OutputFolder::OutputFolder (std::string folder, std::string tool, std::string group)
+OutputFolder::OutputFolder (std::string folder,
+                            std::string tool,
+                            std::string group,
+                            std::string option)
 : folder_ (std::move (folder))
 , tool_ (std::move (tool))
 , group_ (oneLine (std::move (group)))
+, option_ (std::move (option))
 , stage_ (folder_, tool_)
 , manifest_ (folder_, tool_)
 {
@@ -97,7 +101,7 @@ OutputFolder::~OutputFolder()
 void
 OutputFolder::keepUnfinished()
 {
-  OutputFolder unfinished (placeOfUnfinished (folder_), tool_, group_);
+  OutputFolder unfinished (placeOfUnfinished (folder_), tool_, group_, option_);
   for (const std::string& name : waiting_) {
     const fs::path target = fs::path (unfinished.stage()) / name;
     io::makeFolder (target.parent_path().string());
@@ -120,10 +124,10 @@ OutputFolder::check (const InputFiles& inputs,
                      const std::function<bool (const std::string& name)>& written) const
 {
   for (const std::string& name : earlier_)
-    requireNoInput ("--output", (fs::path (folder_) / name).string(), inputs);
+    requireNoInput (option_, (fs::path (folder_) / name).string(), inputs);
   for (const std::string& name : filesBelow (folder_, written))
     if (written (name)) {
-      requireNoInput ("--output", (fs::path (folder_) / name).string(), inputs);
+      requireNoInput (option_, (fs::path (folder_) / name).string(), inputs);
       requireOwn ({name});
     }
 }
@@ -167,7 +171,7 @@ OutputFolder::requireOwn (const std::vector<std::string>& names) const
   for (const std::string& name : names) {
     const fs::path path = fs::path (folder_) / name;
     if (fs::exists (fs::symlink_status (path)) && !manifest_.holds (name))
-      throw UsageError ("--output: " + path.string() + " is in the way: " + tool_ +
+      throw UsageError (option_ + ": " + path.string() + " is in the way: " + tool_ +
                         " has not written it, or it was changed; move it or give "
                         "another folder");
   }

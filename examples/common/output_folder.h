@@ -27,8 +27,11 @@ public:
   using Keep = std::function<bool (const std::string& name, const std::string& group)>;
 
   /** \brief Makes the folder when it is missing. \param group of this run's files, see
-   * OutputManifest \throws IoError */
-  OutputFolder (std::string folder, std::string tool, std::string group = {});
+   * OutputManifest \param option that names the folder, for messages \throws IoError */
+  OutputFolder (std::string folder,
+                std::string tool,
+                std::string group = {},
+                std::string option = "--output");
 
   /** \brief Publishes to `unfinished` what waits and throws the rest of the stage away.
    */
@@ -88,6 +91,7 @@ private:
   std::string folder_;
   std::string tool_;
   std::string group_;
+  std::string option_;
   StageFolder stage_;
   OutputManifest manifest_;
   std::vector<std::string> earlier_; ///< names that are to go in the end

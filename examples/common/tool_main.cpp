@@ -84,7 +84,8 @@ runWithOptions (const std::string& program,
     declare (app);
     if (argc < 2 && needs_arguments) {
       std::fputs (app.help().c_str(), stdout);
-      return 1;
+      readCommandLine (app, {}); // says what is missing
+      throw UsageError ("arguments: missing; --help shows the syntax");
     }
     if (!readCommandLine (app, {argv + 1, argv + argc}))
       return 0;

@@ -23,8 +23,9 @@ int
 runTool (const std::string& program, const std::function<int()>& work);
 
 /** \brief Reads a command line and does a tool's work: help without arguments (status
- * 1) or when asked for, else `run` with PCL's messages off and signals noted. \return
- * exit status \param declare adds the options \param summary head of the help */
+ * 1, and stderr says what is missing) or when asked for, else `run` with PCL's messages
+ * off and signals noted. \return exit status \param declare adds the options \param
+ * summary head of the help */
 int
 runWithOptions (const std::string& program,
                 const std::string& summary,

@@ -10,7 +10,9 @@
 #include <pcl_msf/io/text_files.h>
 #include <pcl_msf/synthetic/sequence_writer.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace pcl_msf::synthetic {
@@ -51,6 +53,41 @@ objectPoses (const SyntheticSequence& sequence, std::size_t k)
   return text;
 }
 
+bool
+hasFloatDepth (const SyntheticSequence& sequence, const SequenceWriterOptions& options)
+{
+  return options.depth_format == DepthFormat::Float ||
+         (options.depth_format == DepthFormat::Automatic &&
+          sequence.options.sensor == Sensor::Ideal);
+}
+
+/** Refuses a scale with which most depths are less than one unit, or all too many. */
+void
+requireScale (const SyntheticSequence& sequence, double scale)
+{
+  constexpr double kMostUnits = 65534.0; // of 16 bit, as io::writeDepth has it
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+  std::size_t measured = 0, below = 0, beyond = 0;
+  for (const SyntheticFrame& frame : sequence.frames)
+    for (const float z : cv::Mat_<float> (frame.depth)) {
+      if (!(z > 0.0F))
+        continue;
+      least = std::min<double> (least, z);
+      most = std::max<double> (most, z);
+      ++measured;
+      below += z * scale < 1.0;
+      beyond += std::round (z * scale) > kMostUnits;
+    }
+  if (measured == 0 || (2 * below <= measured && below + beyond < measured))
+    return;
+  throw InvalidInput (
+      "depth_scale = " + generalText (scale) + " holds " +
+      generalText (1.0 / scale, 4) + " to " + generalText (kMostUnits / scale, 4) +
+      " m in 16 bit, the scene's depth " + "is " + generalText (least, 4) + " to " +
+      generalText (most, 4) + " m; give another one, for example " +
+      (most < 13.0 ? "5000" : "1000"));
+}
+
 void
 writeCaseTruth (const SyntheticSequence& sequence, const std::string& folder)
 {
@@ -78,9 +115,7 @@ writeCase (const SyntheticSequence& sequence,
            const std::string& folder,
            const SequenceWriterOptions& options)
 {
-  const bool as_float = options.depth_format == DepthFormat::Float ||
-                        (options.depth_format == DepthFormat::Automatic &&
-                         sequence.options.sensor == Sensor::Ideal);
+  const bool as_float = hasFloatDepth (sequence, options);
   for (std::size_t k = 0; k < sequence.frames.size(); ++k) {
     const SyntheticFrame& frame = sequence.frames[k];
     const std::string number = std::to_string (k);
@@ -179,6 +214,8 @@ writeSequence (const SyntheticSequence& sequence,
     throw InvalidInput ("cannot write a sequence without frames to " + folder);
   if (!(options.depth_scale > 0.0) || !std::isfinite (options.depth_scale))
     throw InvalidInput ("depth_scale must be positive");
+  if (options.layout == SequenceLayout::Cases && !hasFloatDepth (sequence, options))
+    requireScale (sequence, options.depth_scale);
   io::makeFolder (folder);
   switch (options.layout) {
   case SequenceLayout::Cases:

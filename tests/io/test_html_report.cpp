@@ -208,6 +208,8 @@ TEST (HtmlReport, RefusesFoldersWithoutAReport)
   expectIoError (read, "report.json", "report");
   writeFile (folder ("report.json"), "{ \"frames\": ");
   expectIoError (read, "report.json", "report");
+  writeFile (folder ("report.json"), "{ \"frames\": 3 }");
+  expectIoError (read, "report.json", "none of this library");
 }
 
 } // namespace

@@ -219,6 +219,36 @@ TEST_F (CloudDialects, MillimetresBecomeMetres)
   EXPECT_THROW (io::readCloudImages (folder_ ("mm.pcd"), {}, 0.0), InvalidInput);
 }
 
+/** Header and rows are compared; blank lines, Windows' ends and none are well. */
+TEST_F (CloudDialects, TextPlyHasTheRowsThatItsHeaderCounts)
+{
+  const auto read = [this] (const std::string& rows) {
+    writeFile (folder_ ("a.ply"),
+               "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty "
+               "float y\nproperty float z\nelement face 1\nproperty list uchar int "
+               "vertex_indices\nend_header\n" +
+                   rows);
+    return io::readPoints (folder_ ("a.ply")).points;
+  };
+  const auto refused = [&read] (const std::string& rows, const std::string& words) {
+    expectIoError ([&] { read (rows); }, "a.ply", words);
+  };
+  for (const char* rows : {"1 2 3\n4 5 6\n3 0 1 1\n",
+                           "1 2 3\n4 5 6\n3 0 1 1\n\n \n",
+                           "\n 1\t2 3\r\n\n4 5 6 \r\n3 0 1 1\r\n",
+                           "1 2 3\n4 5 6"}) {
+    const auto points = read (rows);
+    ASSERT_EQ (points.size(), 2U) << rows;
+    EXPECT_EQ (points[1], Eigen::Vector3f (4, 5, 6)) << rows;
+  }
+  refused ("1 2 3\n4 5", "row 2: the file ends too early");
+  refused ("1 2 3\n", "row 2: the file ends too early");
+  refused ("1 2\n3 4 5\n3 0 1 1\n", "row 1: has 2 numbers, the header counts 3");
+  refused ("1 2 3\n4 5 6 7\n3 0 1 1\n", "row 2: has 4 numbers");
+  refused ("1 2 3\n4 5 x\n3 0 1 1\n", "row 2: 'x' is no number");
+  refused ("1 2 3\n4 5 6\n7 8 9\n3 0 1 1\n", "row 4: the header counts 3 rows");
+}
+
 // Wavefront's Appendix B1; colours as MeshLab, Blender and others write them.
 TEST_F (CloudDialects, ObjWithWeightsAndColours)
 {

@@ -247,4 +247,17 @@ TEST_F (SyntheticFiles, SaysWhatCannotBeWritten)
   EXPECT_THROW (writeSequence (sequence_, folder_, options), InvalidInput);
 }
 
+TEST_F (SyntheticFiles, RefusesAScaleThatHoldsNoDepthBeforeItWrites)
+{
+  SequenceWriterOptions options;
+  options.depth_format = DepthFormat::Png16;
+  for (const double scale : {0.05, 50000.0}) { // depth is 3.5 to 69 m
+    options.depth_scale = scale;
+    EXPECT_THROW (writeSequence (sequence_, folder_, options), InvalidInput) << scale;
+    EXPECT_FALSE (std::filesystem::exists (folder_));
+  }
+  options.depth_format = DepthFormat::Automatic; // floats
+  EXPECT_NO_THROW (writeSequence (sequence_, folder_, options));
+}
+
 } // namespace

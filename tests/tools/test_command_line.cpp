@@ -145,6 +145,16 @@ TEST (ToolMain, HelpIsNoRun)
   EXPECT_THAT (help, HasSubstr ("--count N [3]"));
 }
 
+TEST (ToolMain, WithoutArgumentsItSaysWhatIsMissing)
+{
+  ::testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ (statusOf ([] (const NoOptions&) { return 7; }, {}), 1);
+  EXPECT_THAT (::testing::internal::GetCapturedStdout(), StartsWith ("A tool."));
+  EXPECT_THAT (::testing::internal::GetCapturedStderr(),
+               StartsWith ("tool: arguments: missing"));
+}
+
 TEST (ToolMain, ASignalEndsWithItsStatus)
 {
   const auto interrupted_run = [] (const NoOptions&) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include <pcl/io/pcd_io.h>
+
 #include <gtest/gtest.h>
 
 #include "support/box_chain.h"
@@ -12,6 +14,7 @@
 #include <pcl_msf/io/point_files.h>
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 
 namespace {
@@ -224,6 +227,58 @@ TEST_F (RegisterCloudsTool, ReadsAnyDialectAndNamesWhatCannotBeWritten)
   const std::string nowhere = clouds + folder_ ("no/such.pcd");
   expectRefusal (
       run ("register_clouds", nowhere), nowhere, {"such.pcd: cannot be written"});
+}
+
+TEST_F (RegisterCloudsTool, OverwritesCloudsAlone)
+{
+  const std::string clouds = writeClouds (" --width 160 --height 120");
+  writeFile (folder_ ("notes.pcd"), "# mine\nand no cloud");
+  writeFile (folder_ ("empty.pcd"), "");
+  std::filesystem::create_directory (folder_ ("folder.pcd"));
+  const std::vector<std::pair<std::string, std::string>> refused{
+      {"w.ply", "does not end in .pcd"},
+      {"w", "does not end in .pcd"},
+      {"notes.pcd", "is there and no .pcd file"},
+      {"folder.pcd", "is a folder"}};
+  for (const auto& [name, words] : refused)
+    expectRefusal (run ("register_clouds", clouds + folder_ (name)),
+                   name,
+                   {"WARPED: '" + folder_ (name) + "' " + words});
+  EXPECT_EQ (readFile (folder_ ("notes.pcd")), "# mine\nand no cloud");
+  for (const char* name : {"empty.pcd", "empty.pcd", "new.PCD"})
+    EXPECT_EQ (run ("register_clouds", clouds + folder_ (name)).status, 0) << name;
+}
+
+TEST_F (RegisterCloudsTool, NamesTheFileThatIsNoCamerasInMetres)
+{
+  const std::string clouds = writeClouds (" --width 160 --height 120");
+  const auto cloud = io::readOrganizedCloud (folder_ ("d0.pcd"));
+  auto millimetres = *cloud, turned = *cloud, small = *cloud;
+  for (std::size_t i = 0; i < cloud->size(); ++i) {
+    const auto& p = (*cloud)[i];
+    millimetres[i].getVector3fMap() *= 1000.0F;
+    turned[i].getVector3fMap() = Eigen::Vector3f (p.z, -p.x, -p.y);
+  }
+  small.resize (160 * 60);
+  small.width = 160;
+  small.height = 60;
+  pcl::io::savePCDFileBinary (folder_ ("mm.pcd"), millimetres);
+  pcl::io::savePCDFileBinary (folder_ ("turned.pcd"), turned);
+  pcl::io::savePCDFileBinary (folder_ ("small.pcd"), small);
+  const std::vector<std::array<std::string, 3>> refused{
+      {"mm.pcd", "mm.pcd", "mm.pcd: depth is "},
+      {"mm.pcd", "mm.pcd", "give metres (millimetres?)"},
+      {"turned.pcd", "d1.pcd", "turned.pcd: camera: "},
+      {"d0.pcd", "turned.pcd", "turned.pcd: not of the camera of "},
+      {"d0.pcd", "small.pcd", "small.pcd 160x60; give clouds of one size"}};
+  for (const auto& [reference, current, words] : refused) {
+    const ToolRun done =
+        run ("register_clouds",
+             folder_ (reference) + " " + folder_ (current) + " " + folder_ ("w.pcd"));
+    expectRefusal (done, reference + " " + current, {words});
+    for (const char* foreign : {"min_depth", "--depth-scale", "setCamera"})
+      EXPECT_THAT (done.err, ::testing::Not (HasSubstr (foreign)));
+  }
 }
 
 TEST_F (RegisterCloudsTool, EndsOnASignal)

@@ -95,12 +95,53 @@ TEST_F (RegisterWindow, PairsNameTheirTarget)
 {
   writeFile (folder_ ("pairs.txt"), "0 5 1 2\n1 7\n");
   const std::string pairs = " --quiet --pairs " + folder_ ("pairs.txt");
-  expectRefusal (run ("source first", pairs), "one target", {"a known pair"});
+  expectRefusal (run ("source first", pairs),
+                 "one target",
+                 {"pairs.txt: line 1: K is 2, and there is 1 target, counted from 1"});
   writeFile (folder_ ("pairs.txt"), "0 5 1 0\n");
   expectRefusal (run ("source first second", pairs), "target 0", {"line 1"});
   expectRefusal (run ("source first second", "--concatenation-weight -1"),
                  "weight",
                  {"--concatenation-weight"});
+}
+
+TEST_F (RegisterWindow, FaultsOfConstraintsNameTheirLine)
+{
+  const std::string pairs = folder_ ("pairs.txt"), labels = folder_ ("labels.txt");
+  const std::vector<std::pair<std::string, std::string>> wrong{
+      {"0 1\n2500 1\n", "line 2: SOURCE is 2500; the source has 2500 points"},
+      {"# none\n0 -1\n", "line 2: TARGET is -1; the target 1 has 2500 points"},
+      {"0 9999 1 2\n", "line 1: TARGET is 9999; the target 2 has 2500 points"},
+      {"0 1 0\n", "line 1: WEIGHT is 0, must be greater than 0"},
+      {"0 1 1 3\n", "line 1: K is 3, and there are 2 targets, counted from 1"}};
+  for (const auto& [text, words] : wrong) {
+    writeFile (pairs, text);
+    expectRefusal (run ("source first second", " --quiet --pairs " + pairs),
+                   text,
+                   {"pairs.txt: " + words});
+  }
+  const auto refused = [&] (const std::string& text, const std::string& words) {
+    writeFile (labels, text);
+    expectRefusal (run ("source first", " --quiet --segments " + labels),
+                   words,
+                   {"labels.txt: " + words});
+  };
+  refused ("1\n2\n", "line 2: the file ends after 2 labels, the source has 2500");
+  std::string all;
+  for (int i = 0; i < 2500; ++i)
+    all += "-1\n";
+  refused (all + "7\n", "line 2501: one label too many, the source has 2500");
+  refused (all, "labels: all are negative");
+}
+
+TEST_F (RegisterWindow, AByteOrderMarkIsNoNumber)
+{
+  writeFile (folder_ ("pairs.txt"),
+             "\xEF\xBB\xBF"
+             "0 2500 1\r\n");
+  expectRefusal (run ("source first", " --quiet --pairs " + folder_ ("pairs.txt")),
+                 "mark",
+                 {"line 1: TARGET is 2500"});
 }
 
 TEST_F (RegisterWindow, ALostTargetIsTheVerdict)

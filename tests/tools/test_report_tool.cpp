@@ -37,6 +37,30 @@ TEST (ReportTool, WritesAPageOverFoldersAndTables)
   EXPECT_THAT (page, HasSubstr ("id=\"entry1\""));
 }
 
+TEST (ReportTool, LeavesOutReportsThatAreNotItsOwn)
+{
+  const TemporaryFolder folder;
+  SceneFlow flow;
+  flow.labels = cv::Mat (4, 6, CV_32SC1, cv::Scalar (0));
+  for (const char* name : {"runs/damaged", "runs/foreign", "runs/own"})
+    io::makeFolder (folder (name));
+  io::writeReport (folder ("runs/own/report.json"), flow, {});
+  writeFile (folder ("runs/foreign/report.json"), "{ \"frames\": 3 }");
+  writeFile (folder ("runs/damaged/report.json"), "{ \"frames\": ");
+  const std::string output = " --output " + folder ("index.html");
+  const ToolRun done = runTool (folder, kTool + folder ("runs") + output);
+  EXPECT_EQ (done.status, 0);
+  EXPECT_THAT (done.out, HasSubstr ("results 1, tables 0"));
+  EXPECT_EQ (done.errorLines(), 2) << done.err;
+  for (const char* name : {"runs/damaged/report.json", "runs/foreign/report.json"})
+    EXPECT_THAT (done.err, HasSubstr ("warning: left out: " + folder (name)));
+  std::filesystem::remove (folder ("index.html"));
+  const ToolRun none = runTool (folder, kTool + folder ("runs/foreign") + output);
+  EXPECT_EQ (none.status, 1);
+  EXPECT_THAT (none.err, HasSubstr ("no report of this library is left"));
+  EXPECT_FALSE (std::filesystem::exists (folder ("index.html")));
+}
+
 TEST (ReportTool, RefusesInOneLine)
 {
   const TemporaryFolder folder;

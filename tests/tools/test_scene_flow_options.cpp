@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include "scene_flow/options.h"
+#include "support/temporary_folder.h"
 #include <CLI/App.hpp>
 #include <CLI/Formatter.hpp>
 #include <gmock/gmock.h>
 
+#include <filesystem>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -76,16 +78,16 @@ TEST (SceneFlowOptions, TakesTheContractsLine)
 
 TEST (SceneFlowOptions, ReachesTheParameters)
 {
-  const Options o = parse (
-      kImages +
-      "--smoothing-sigma 1.5 --min-depth .3 --max-depth=9 --max-levels 3 "
-      "--normals integral --segmentation slic --threshold 0.7 --min-points 50 "
-      "--discard-small 1 --segment-size 32 --brightness-weight 2 --icp-weight 3 "
-      "--regularizer-weight 4 --prior-weight 5 --huber-threshold 6 --loss l2 "
-      "--pose-difference parameters --neighbors 7 --max-iterations 8 "
-      "--function-tolerance 1e-4 --parameter-tolerance 1e-5 --max-seconds 9 "
-      "--linear-solver cholesky --levels 2 --flow-proposals 0 --blend-motions 0 "
-      "--refine-flow 0 --merge-bodies 0 --threads 5 --flow-max 12 --labels l --quiet");
+  const Options o =
+      parse (kImages +
+             "--smoothing-sigma 1.5 --min-depth .3 --max-depth=9 --max-levels 3 "
+             "--normals integral --segmentation slic --threshold 0.7 --min-points 50 "
+             "--discard-small 1 --segment-size 32 --brightness-weight 2 --icp-weight 3 "
+             "--regularizer-weight 4 --prior-weight 5 --huber-threshold 6 --loss l2 "
+             "--pose-difference parameters --neighbors 7 --max-iterations 8 "
+             "--function-tolerance 1e-4 --parameter-tolerance 1e-5 --max-seconds 9 "
+             "--linear-solver cholesky --levels 2 --flow-proposals 0 --blend-motions 0 "
+             "--refine-flow 0 --merge-bodies 0 --threads 5 --flow-max 12 --quiet");
   EXPECT_EQ (o.frame.smoothing_sigma, 1.5);
   EXPECT_EQ (o.frame.min_depth, 0.3);
   EXPECT_EQ (o.frame.max_depth, 9.0);
@@ -116,8 +118,44 @@ TEST (SceneFlowOptions, ReachesTheParameters)
   EXPECT_FALSE (o.solver.merge_bodies);
   EXPECT_EQ (o.solver.threads, 5U);
   EXPECT_EQ (o.flow_maximum, 12.0);
-  EXPECT_EQ (o.labels, "l");
   EXPECT_TRUE (o.quiet);
+  EXPECT_EQ (parse (kImages + "--labels l").labels, "l");
+}
+
+TEST (SceneFlowOptions, ListsThatAreGivenAgainAreJoined)
+{
+  const Options o = parse (kImages + "--outputs flow --outputs cloud,poses");
+  EXPECT_EQ (o.outputs,
+             (std::vector<Output>{Output::Flow, Output::Cloud, Output::Poses}));
+  expectUsageError (kImages + "--outputs flow --outputs flo", "--outputs: 'flow,flo'");
+}
+
+TEST (SceneFlowOptions, OneThingChoosesTheSegments)
+{
+  const std::string rigid = kImages + "--rigid --segmentation ";
+  expectUsageError (kImages + "--labels l --segmentation slic",
+                    "--labels excludes --segmentation");
+  expectUsageError (kImages + "--labels l --rigid", "--labels excludes --rigid");
+  expectUsageError (rigid + "slic", "--rigid: not together with --segmentation");
+  EXPECT_EQ (parse (rigid + "single").segmentation.method, SegmentationMethod::Single);
+}
+
+/** Shards of one run are known by them. */
+TEST (SceneFlowOptions, SettingsHaveThePlacesOfFiles)
+{
+  const pcl_msf::testing::TemporaryFolder folder;
+  std::filesystem::create_directory (folder ("rec"));
+  const std::string one = parse (folder ("rec") + " --window 2").settings;
+  EXPECT_THAT (
+      one, ::testing::HasSubstr (std::filesystem::canonical (folder ("rec")).string()));
+  for (const char* other : {"rec/", "rec/.", "rec/../rec", "./rec"})
+    EXPECT_EQ (parse (folder (other) + " --window 2").settings, one) << other;
+  const std::string relative = std::filesystem::relative (folder ("rec")).string();
+  EXPECT_EQ (parse (relative + " --window 2").settings, one) << relative;
+  EXPECT_NE (parse (folder ("rec") + " --window 3").settings, one);
+  const std::string camera = " --camera 9,9,9,9 --output o";
+  EXPECT_EQ (parse ("--depth a --depth b/../c" + camera).settings,
+             parse ("--depth ./a --depth c" + camera).settings);
 }
 
 TEST (SceneFlowOptions, NamesWhatItRefuses)
@@ -133,6 +171,8 @@ TEST (SceneFlowOptions, NamesWhatItRefuses)
   expectUsageError (kImages + "--merge-bodies yes", "--merge-bodies: 'yes'");
   expectUsageError (kImages + "--prior-weight nan", "--prior-weight: 'nan'");
   expectUsageError (kImages + "--prior-weight -1", "--prior-weight must be");
+  expectUsageError (kImages + "--brightness-weight 0 --icp-weight 0",
+                    "--brightness-weight, --icp-weight: both are 0");
   expectUsageError (kImages + "--quiet=maybe", "--quiet");
   expectUsageError (kImages + "--labels=", "--labels: needs a value");
   expectUsageError (kImages + "--camera 150,150,79.5", "--camera: '150,150,79.5'");

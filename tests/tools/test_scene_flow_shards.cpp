@@ -106,6 +106,21 @@ TEST_F (SceneFlowShards, MergedAreWhatOneRunGives)
   expectWhole ("parts");
 }
 
+TEST_F (SceneFlowShards, TheRecordingMayBeSpelledInAnyWay)
+{
+  const std::string rest =
+      " --window 2 --quiet --threads 1 --output " + folder_ ("parts") + " --shard ";
+  const std::string tool = kTools + "/pcl_msf_scene_flow ";
+  const std::string seq = (*shared_) ("seq");
+  ASSERT_EQ (runTool (folder_, tool + seq + "/" + rest + "1/3").status, 0);
+  ASSERT_EQ (runTool (folder_, "cd " + seq + " && " + tool + "." + rest + "2/3").status,
+             0);
+  ASSERT_EQ (runTool (folder_, tool + seq + rest + "3/3").status, 0);
+  const ToolRun merged = merge ("parts");
+  ASSERT_EQ (merged.status, 0) << merged.err;
+  expectWhole ("parts");
+}
+
 TEST_F (SceneFlowShards, ARestartDoesOnlyWhatIsMissing)
 {
   const std::string shard = folder_ ("out/shards/1_of_1/");

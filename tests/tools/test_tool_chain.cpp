@@ -118,6 +118,49 @@ TEST_F (ToolChain, ThereIsOneEndPointError)
   EXPECT_THAT (done.out, HasSubstr ("known  75.00 %"));
 }
 
+TEST_F (ToolChain, FlowErrorsSayWhatCannotBeCompared)
+{
+  const cv::Mat truth (4, 5, CV_32FC2, cv::Scalar (3, 4));
+  io::writeFlow (folder_ ("t.flo"), truth);
+  io::writeFlow (folder_ ("wide.flo"), cv::Mat (4, 6, CV_32FC2, cv::Scalar (3, 4)));
+  io::writeFlow (folder_ ("none.flo"),
+                 cv::Mat (4, 5, CV_32FC2, cv::Scalar::all (std::nan (""))));
+  io::writeImage (folder_ ("hidden.png"), cv::Mat::zeros (4, 5, CV_8UC1));
+  io::writeImage (folder_ ("small.png"), cv::Mat (3, 5, CV_8UC1, cv::Scalar (255)));
+  io::writeImage (folder_ ("color.png"), cv::Mat (4, 5, CV_8UC3, cv::Scalar (255)));
+  io::writeImage (folder_ ("deep.png"), cv::Mat (4, 5, CV_16UC1, cv::Scalar (255)));
+  const std::string t = folder_ ("t.flo") + " ";
+  expectRefusal (
+      "flow_error", t + folder_ ("none.flo"), {"none.flo: no pixel to compare"});
+  expectRefusal ("flow_error",
+                 t + t + folder_ ("hidden.png"),
+                 {"t.flo: no pixel to compare", "hidden.png hides it"});
+  expectRefusal ("flow_error",
+                 t + folder_ ("wide.flo"),
+                 {"t.flo is 5x4", "wide.flo 6x4", "give files of one size"});
+  expectRefusal (
+      "flow_error", t + t + folder_ ("small.png"), {"small.png is 5x3", "t.flo 5x4"});
+  expectRefusal ("flow_error",
+                 t + t + folder_ ("color.png"),
+                 {"color.png: mask: 8 bit in 3 channel"});
+  expectRefusal (
+      "flow_error", t + t + folder_ ("deep.png"), {"deep.png: mask: 16 bit in 1"});
+}
+
+TEST_F (ToolChain, WithoutArgumentsToolsSayWhatIsMissing)
+{
+  for (const auto& [tool, missing] : {std::pair{"register", "SOURCE is required"},
+                                      std::pair{"register_clouds", "REFERENCE is"},
+                                      std::pair{"synthesize", "FOLDER is required"},
+                                      std::pair{"view", "FOLDER"}}) {
+    if (!hasTool (tool))
+      continue;
+    const ToolRun nothing = run (tool, "");
+    pcl_msf::testing::expectRefusal (nothing, tool, {missing});
+    EXPECT_NE (nothing.out, "") << tool;
+  }
+}
+
 TEST_F (ToolChain, HelpSucceedsAndUnknownOptionsDoNot)
 {
   for (const std::string tool : {"scene_flow",

@@ -20,7 +20,8 @@ using namespace pcl_msf::tool;
 
 constexpr const char* kProgram = "pcl_msf_flow_error";
 
-void
+/** \return has there been a pixel to compare? */
+bool
 printErrors (const char* name,
              const cv::Mat& flow,
              const cv::Mat& truth,
@@ -37,6 +38,36 @@ printErrors (const char* name,
                  errors.median,
                  100.0 * errors.outliers,
                  100.0 * errors.coverage);
+  return errors.points > 0;
+}
+
+std::string
+sizeText (const cv::Mat& image)
+{
+  return std::to_string (image.cols) + "x" + std::to_string (image.rows);
+}
+
+void
+requireSize (const std::string& path,
+             const cv::Mat& image,
+             const std::string& truth_path,
+             const cv::Mat& truth)
+{
+  if (image.size() != truth.size())
+    throw InvalidInput (path + " is " + sizeText (image) + ", " + truth_path + " " +
+                        sizeText (truth) + "; give files of one size");
+}
+
+/** 255 where the file is not 0. */
+cv::Mat
+readVisible (const std::string& path)
+{
+  const cv::Mat mask = io::readImage (path);
+  if (mask.type() != CV_8UC1)
+    throw InvalidInput (path + ": mask: " + std::to_string (8 * mask.elemSize1()) +
+                        " bit in " + std::to_string (mask.channels()) +
+                        " channel(s), not 8 bit in one; give a grey image, 0 = hidden");
+  return mask > 0;
 }
 
 struct FlowErrorOptions {
@@ -65,20 +96,24 @@ run (const FlowErrorOptions& o)
     requireNoInput ("ERROR.png", o.error, inputs);
   const cv::Mat flow = io::readFlow (o.flow);
   const cv::Mat truth = io::readFlow (o.truth);
-  if (flow.size() != truth.size())
-    throw InvalidInput (o.flow + " and " + o.truth + " differ in size");
-  printErrors (
-      "all points", flow, truth, cv::Mat (truth.size(), CV_8UC1, cv::Scalar (255)));
+  requireSize (o.flow, flow, o.truth, truth);
+  cv::Mat visible;
   if (!o.visible.empty()) {
-    const cv::Mat visible = io::readMask (o.visible);
-    if (visible.size() != truth.size())
-      throw InvalidInput (o.visible + ": no image of the flow's size");
-    printErrors ("visible points", flow, truth, visible > 0);
+    visible = readVisible (o.visible);
+    requireSize (o.visible, visible, o.truth, truth);
   }
+  bool compared = printErrors (
+      "all points", flow, truth, cv::Mat (truth.size(), CV_8UC1, cv::Scalar (255)));
+  if (!visible.empty())
+    compared = printErrors ("visible points", flow, truth, visible) && compared;
   if (!o.error.empty())
     io::writeImage (
         o.error,
         io::scalarPicture (evaluation::endPointErrors (flow, truth), 0.0, "px"));
+  if (!compared)
+    throw InvalidInput (o.truth + ": no pixel to compare: the flow is unknown there" +
+                        (visible.empty() ? "" : ", or " + o.visible + " hides it") +
+                        "; give another truth or mask");
   return 0;
 }
 
@@ -90,7 +125,8 @@ main (int argc, char** argv)
   return toolMain<FlowErrorOptions> (
       {kProgram,
        "Prints the end-point error of an optical flow against the truth; an unknown "
-       "flow\ncounts as zero motion.",
+       "flow\ncounts as zero motion. Exit status: not 0 when there is no pixel to "
+       "compare.",
        declareOptions,
        run},
       argc,

@@ -107,6 +107,19 @@ declareOptions (CLI::App& app, RegisterOptions& o)
   });
 }
 
+CloudConstraints
+constraintsOf (const RegisterOptions& options, const std::vector<io::PointFile>& clouds)
+{
+  CloudConstraints constraints;
+  if (options.pairs.empty())
+    return constraints;
+  std::vector<std::size_t> targets;
+  for (std::size_t k = 1; k < clouds.size(); ++k)
+    targets.push_back (clouds[k].points.size());
+  constraints.pairs = readPairs (options.pairs, clouds[0].points.size(), targets);
+  return constraints;
+}
+
 /** \return per target; \param clouds the source, then the targets */
 std::vector<CloudFlow>
 estimate (const RegisterOptions& options, const std::vector<io::PointFile>& clouds)
@@ -119,12 +132,10 @@ estimate (const RegisterOptions& options, const std::vector<io::PointFile>& clou
     line.update (progress);
     return true;
   };
-  CloudConstraints constraints;
-  if (!options.pairs.empty())
-    constraints.pairs = readPairs (options.pairs);
+  const CloudConstraints constraints = constraintsOf (options, clouds);
   std::vector<int> segments;
   if (!options.segments.empty())
-    segments = readLabels (options.segments);
+    segments = readLabels (options.segments, clouds[0].points.size());
   std::vector<CloudFrame> frames;
   for (const io::PointFile& cloud : clouds)
     frames.push_back ({cloud.points, io::brightnessOf (cloud)});

@@ -5,6 +5,7 @@
 #include "common/input_files.h"
 #include "common/tool_main.h"
 #include <CLI/App.hpp>
+#include <pcl_msf/errors.h>
 #include <pcl_msf/io/folders.h>
 #include <pcl_msf/io/html_report.h>
 
@@ -29,6 +30,7 @@ struct ReportOptions {
   std::string output{"index.html"};
 };
 
+constexpr const char* kProgram = "pcl_msf_report";
 constexpr const char* kSummary =
     "Writes a page over results that opens from disk: thumbnails, sliders,\n"
     "tables and plots. Pictures stay where they are and are linked.";
@@ -51,22 +53,37 @@ declareOptions (CLI::App& app, ReportOptions& options)
   });
 }
 
+/** A folder as it was found, and what is in it. */
+using FolderEntries = std::pair<std::string, std::vector<io::HtmlEntry>>;
+
+/** A report that is damaged or of another program is left out, with a warning. */
+std::vector<FolderEntries>
+readFolders (const std::vector<std::string>& folders)
+{
+  std::vector<FolderEntries> found;
+  for (const std::string& folder : folders)
+    try {
+      found.emplace_back (folder, io::entriesOfFolder (folder));
+    }
+    catch (const IoError& problem) {
+      tool::complain (kProgram, std::string ("warning: left out: ") + problem.what());
+    }
+  return found;
+}
+
 /** Entries of all folders. Where folders have one name, their paths tell them apart. */
 std::vector<io::HtmlEntry>
-readEntries (const std::vector<std::string>& folders)
+entriesOf (std::vector<FolderEntries> folders)
 {
   std::map<std::string, int> uses;
-  std::vector<std::vector<io::HtmlEntry>> parts;
-  for (const std::string& folder : folders) {
-    parts.push_back (io::entriesOfFolder (folder));
-    ++uses[parts.back().front().name];
-  }
+  for (const auto& [folder, part] : folders)
+    ++uses[part.front().name];
   std::vector<io::HtmlEntry> entries;
-  for (std::size_t i = 0; i < folders.size(); ++i) {
-    const bool clear = uses[parts[i].front().name] == 1;
-    for (io::HtmlEntry& entry : parts[i]) {
+  for (auto& [folder, part] : folders) {
+    const bool clear = uses[part.front().name] == 1;
+    for (io::HtmlEntry& entry : part) {
       if (!clear)
-        entry.name = folders[i] + (parts[i].size() > 1 ? ": " + entry.name : "");
+        entry.name = folder + (part.size() > 1 ? ": " + entry.name : "");
       entries.push_back (std::move (entry));
     }
   }
@@ -110,7 +127,10 @@ run (const ReportOptions& options)
                                  "of pcl_msf_scene_flow");
     folders.insert (folders.end(), found.begin(), found.end());
   }
-  report.entries = readEntries (folders);
+  report.entries = entriesOf (readFolders (folders));
+  if (report.entries.empty() && report.tables.empty())
+    throw UsageError ("no report of this library is left; give a folder of "
+                      "pcl_msf_scene_flow");
   checkOutput (options, folders);
   const std::string parent =
       std::filesystem::path (options.output).parent_path().string();
@@ -130,5 +150,5 @@ int
 main (int argc, char** argv)
 {
   return tool::toolMain<ReportOptions> (
-      {"pcl_msf_report", kSummary, declareOptions, run, false}, argc, argv);
+      {kProgram, kSummary, declareOptions, run, false}, argc, argv);
 }

@@ -61,6 +61,9 @@ Inputs::Inputs (const Options& options, Warn warn)
     throw UsageError ("'" + options.sequence + "': holds one frame; two are needed");
   const int standard = sequence_ ? std::min (frames(), kDefaultWindow) : frames();
   window_ = options.window > 0 ? std::min (options.window, frames()) : standard;
+  if (options.window > frames())
+    warn_ ("--window: " + std::to_string (options.window) + ", but there are " +
+           std::to_string (frames()) + " frames; the window is all of them");
   if (options.reference >= window_)
     throw UsageError ("--reference: " + std::to_string (options.reference) +
                       ", must be less than the window's " + std::to_string (window_) +

@@ -226,15 +226,24 @@ runTracking (const Options& options, Inputs& inputs, Results& results)
   }
 }
 
-/** The name of the recording's folder and what is in it. */
+/** Named after the recording: in the current folder, but beside the recording when that
+ * holds the current folder. */
 std::string
-standardOutput (const Options& options)
+standardOutput (const std::string& sequence)
 {
-  return std::filesystem::absolute (options.sequence + "/.")
-             .parent_path()
-             .filename()
-             .string() +
-         "_scene_flow";
+  namespace fs = std::filesystem;
+  const fs::path recording = fs::canonical (sequence);
+  const std::string name = recording.filename().string();
+  if (name.empty())
+    throw UsageError (
+        "--output: missing; '" + sequence +
+        "' has no name to call the results after; give a folder for them");
+  const fs::path here = fs::current_path();
+  const auto parted =
+      std::mismatch (recording.begin(), recording.end(), here.begin(), here.end());
+  const bool inside = parted.first == recording.end();
+  return ((inside ? recording.parent_path() : fs::path()) / (name + "_scene_flow"))
+      .string();
 }
 
 int
@@ -248,7 +257,7 @@ run (const Options& given)
     complain (kProgram, "warning: " + problem);
   });
   if (options.output.empty())
-    options.output = standardOutput (options);
+    options.output = standardOutput (options.sequence);
   requireOutside ("--output", options.output, options.sequence);
   if (options.sharded())
     options.output = folderOfShard (options.output, options.shard);

@@ -43,10 +43,15 @@ addInputOptions (CLI::App& app, Options& o)
   addText (app,
            "--labels",
            "FILE",
-           "16-bit label image in place of a segmentation; 65535 = none",
+           "16-bit label image in place of a segmentation; 65535 = none; labels_0.png "
+           "numbers its labels anew, 0, 1, ... in ascending order",
            o.labels);
-  addText (
-      app, "--output", "DIR", "folder for the results, made when missing", o.output);
+  addText (app,
+           "--output",
+           "DIR",
+           "folder for the results, made when missing [of FOLDER: its name and "
+           "_scene_flow, in the current folder, never inside FOLDER]",
+           o.output);
   addWords<Output> (app,
                     "--outputs",
                     "what is written beside the report",
@@ -100,6 +105,9 @@ addSceneFlowOptions (CLI::App& app, Options& options)
   addInputOptions (app, options);
   addMethodOptions (app, options);
   addWindowOptions (app, options);
+  app.get_option ("--labels")
+      ->excludes (app.get_option ("--segmentation"))
+      ->excludes (app.get_option ("--rigid"));
 }
 
 } // namespace pcl_msf::tool

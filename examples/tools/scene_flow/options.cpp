@@ -6,6 +6,8 @@
 #include "option_table.h"
 #include <CLI/App.hpp>
 
+#include <filesystem>
+
 namespace pcl_msf::tool {
 
 namespace {
@@ -57,6 +59,20 @@ checkInputs (const Options& options)
                       ", must be at most 16 with --track");
 }
 
+/** Of files and folders the place, however it was spelled. */
+std::string
+settingText (const std::string& name, const std::string& value)
+{
+  namespace fs = std::filesystem;
+  const bool is_path = name == "FOLDER" || name == "--color" || name == "--depth" ||
+                       name == "--cloud" || name == "--labels";
+  if (!is_path)
+    return value;
+  std::error_code error;
+  const fs::path place = fs::weakly_canonical (fs::absolute (value), error);
+  return error ? value : place.string();
+}
+
 /** All that was given, but where and how the run works. */
 std::string
 settingsOf (const CLI::App& app)
@@ -69,7 +85,7 @@ settingsOf (const CLI::App& app)
       continue;
     text += (text.empty() ? "" : " ") + name;
     for (const std::string& value : option->results())
-      text += " " + value;
+      text += " " + settingText (name, value);
   }
   return text;
 }
@@ -90,7 +106,7 @@ declareOptions (CLI::App& app, Options& options)
     options.shard_given = app.count ("--shard") > 0;
     options.settings = settingsOf (app);
     checkInputs (options);
-    checkSettings (options);
+    checkSettings (app, options);
   });
 }
 

@@ -75,9 +75,9 @@ declareStreamOptions (CLI::App& app, StreamOptions& options)
   addMultiframeOptions (app, options);
   CLI::Option* finest = app.get_option ("--finest-level");
   finest->default_str ("0, of frames followed with 480 columns or more 1");
-  app.final_callback ([&options, finest] {
+  app.final_callback ([&app, &options, finest] {
     options.halve_large = finest->count() == 0 && options.window == 0;
-    checkSettings (options);
+    checkSettings (app, options);
     checkWindow (options.window);
     checkSource (options, "SOURCE");
     if (options.grabber == GrabberKind::None)

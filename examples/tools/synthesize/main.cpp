@@ -7,14 +7,17 @@
 #include "common/output_folder.h"
 #include "common/stop_watch.h"
 #include "common/tool_main.h"
+#include "core/base/number_text.h"
 #include <CLI/App.hpp>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/synthetic/body_clouds.h>
 #include <pcl_msf/synthetic/sequence_writer.h>
 #include <pcl_msf/synthetic/synthetic_sequence.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <regex>
 
@@ -25,6 +28,10 @@ using namespace pcl_msf::synthetic;
 using namespace pcl_msf::tool;
 
 constexpr const char* kProgram = "pcl_msf_synthesize";
+constexpr const char* kFolder = "FOLDER"; // the option that names the output
+
+/** What readers of TUM's layout assume of 640x480 images, unless told. */
+constexpr PinholeCamera kTumCamera{525.0, 525.0, 319.5, 239.5};
 
 struct SynthesizeOptions {
   std::string folder;
@@ -110,14 +117,57 @@ addBodyOptions (CLI::App& app, SynthesizeOptions& o)
   addNumber (app, "--cut", "SHARE", "of the target, cut off", b.cut);
 }
 
+/** What is wrong with the library's options, in the words of the command line. */
+std::string
+asOption (const std::string& problem)
+{
+  const std::size_t end = std::min (problem.find_first_of (" :"), problem.size());
+  std::string name = problem.substr (0, end);
+  if (name == "no") // lens distortion
+    return "--lens: " + problem;
+  if (name == "supersampling")
+    name = "samples";
+  if (name.rfind ("depth_shift", 0) == 0) // x or y
+    name = "depth-shift";
+  std::replace (name.begin(), name.end(), '_', '-');
+  return "--" + name + problem.substr (end);
+}
+
+/** What readers of the layout assume is rendered where it can be. */
+void
+chooseCamera (SynthesizeOptions& options)
+{
+  SequenceOptions& sequence = options.sequence;
+  if (options.writing.layout == SequenceLayout::Tum && sequence.width == 640 &&
+      sequence.height == 480)
+    sequence.camera = kTumCamera;
+}
+
+void
+checkOptions (const SynthesizeOptions& options)
+{
+  std::string why;
+  if (!(options.body ? options.drawing.isValid (&why)
+                     : options.sequence.isValid (&why)))
+    throw UsageError (asOption (why));
+  const double scale = options.writing.depth_scale;
+  if (!(scale > 0.0))
+    throw UsageError ("--depth-scale: " + generalText (scale) +
+                      ", must be > 0; give units per metre, for example 5000");
+}
+
 void
 declareOptions (CLI::App& app, SynthesizeOptions& options)
 {
-  addText (app, "FOLDER", "PATH", "for the sequence", options.folder)->required();
+  addText (app, kFolder, "PATH", "for the sequence", options.folder)->required();
   addSceneOptions (app, options.sequence);
   addCameraEffects (app, options.sequence.effects);
   addWritingOptions (app, options.writing);
   addBodyOptions (app, options);
+  app.final_callback ([&options] {
+    chooseCamera (options);
+    checkOptions (options);
+  });
 }
 
 /** Version 0.1.0 spelled options "-motion_pixels"; both ways are understood. */
@@ -190,7 +240,7 @@ drawBody (const SynthesizeOptions& options)
   drawing.body = *options.body;
   drawing.seed = options.sequence.seed;
   const BodyClouds clouds = synthesizeBody (drawing);
-  OutputFolder output (options.folder, kProgram, groupOf (options));
+  OutputFolder output (options.folder, kProgram, groupOf (options), kFolder);
   prepare (options, output);
   writeBody (clouds, output.stage());
   throwIfInterrupted();
@@ -202,6 +252,37 @@ drawBody (const SynthesizeOptions& options)
                options.folder.c_str());
 }
 
+void
+write (const SyntheticSequence& sequence,
+       const std::string& folder,
+       const SequenceWriterOptions& options)
+{
+  try {
+    writeSequence (sequence, folder, options);
+  }
+  catch (const InvalidInput& problem) {
+    throw UsageError (asOption (problem.what()));
+  }
+}
+
+/** TUM's layout holds no camera: says what other tools must be told. Readers know
+ * sensors by the folder's name. */
+void
+printCamera (const SynthesizeOptions& options, const PinholeCamera& used)
+{
+  static const std::regex sensor ("(freiburg|fr)[123]");
+  const std::filesystem::path folder = std::filesystem::canonical (options.folder);
+  if (used.fx == kTumCamera.fx &&
+      !std::regex_search (folder.filename().string(), sensor))
+    return;
+  std::printf ("this layout holds no camera; give the other tools --camera "
+               "%s,%s,%s,%s\n",
+               generalText (used.fx).c_str(),
+               generalText (used.fy).c_str(),
+               generalText (used.cx).c_str(),
+               generalText (used.cy).c_str());
+}
+
 int
 run (const SynthesizeOptions& given)
 {
@@ -211,16 +292,16 @@ run (const SynthesizeOptions& given)
     return 0;
   }
   { // refused before the work
-    OutputFolder output (options.folder, kProgram, groupOf (options));
+    OutputFolder output (options.folder, kProgram, groupOf (options), kFolder);
     prepare (options, output);
   }
   options.sequence.successive_truth = options.writing.layout == SequenceLayout::Sintel;
   StopWatch watch;
   const SyntheticSequence sequence = synthesize (options.sequence);
   const double seconds = watch.lap();
-  OutputFolder output (options.folder, kProgram, groupOf (options));
+  OutputFolder output (options.folder, kProgram, groupOf (options), kFolder);
   prepare (options, output);
-  writeSequence (sequence, output.stage(), options.writing);
+  write (sequence, output.stage(), options.writing);
   throwIfInterrupted();
   output.finish();
   std::printf ("%d frames of %s in %.2f s, written to %s\n",
@@ -228,6 +309,8 @@ run (const SynthesizeOptions& given)
                toString (options.sequence.scene),
                seconds,
                options.folder.c_str());
+  if (options.writing.layout == SequenceLayout::Tum)
+    printCamera (options, sequence.camera);
   return 0;
 }
 

@@ -71,7 +71,7 @@ readCsvTable (const std::string& path);
 /** \brief Entries from a folder that pcl_msf_scene_flow wrote, one for each reference
  * frame: the numbers of its report and the pictures about it; pictures without a frame
  * in their names, as pcl_msf_render makes them, come with the first. \throws IoError
- * without a report.json or when that is damaged */
+ * without a report.json or when that is damaged or of another program */
 PCL_MSF_EXPORT std::vector<HtmlEntry>
 entriesOfFolder (const std::string& folder);
 

@@ -47,7 +47,8 @@ struct SequenceWriterOptions {
 /** \brief Writes a sequence below a folder that is made when it does not exist; files
  * of the same names are replaced. Depth beyond 65535 / depth_scale becomes "none" in 16
  * bit. \throws IoError naming the file that cannot be written \throws InvalidInput for
- * a sequence without frames or a depth_scale that is not > 0 */
+ * a sequence without frames, a depth_scale that is not > 0, or one with which 16 bit
+ * hold none of its depth or most of that is less than one unit; nothing is written */
 PCL_MSF_EXPORT void
 writeSequence (const SyntheticSequence& sequence,
                const std::string& folder,

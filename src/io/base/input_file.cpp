@@ -76,6 +76,21 @@ InputFile::line (const std::string& field)
         "ends before it is complete; the file is cut short or of another format");
 }
 
+std::optional<std::string>
+InputFile::filledLine()
+{
+  std::string result;
+  bool filled = false;
+  for (int c = stream_.get(); c != EOF && !(c == '\n' && filled); c = stream_.get()) {
+    if (c == '\n')
+      result.clear();
+    else
+      result.push_back (static_cast<char> (c));
+    filled = filled || !std::isspace (c);
+  }
+  return filled ? std::optional (result) : std::nullopt;
+}
+
 void
 InputFile::skipByteOrderMark()
 {

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <fstream>
+#include <optional>
 #include <string>
 
 namespace pcl_msf::io {
@@ -47,6 +48,11 @@ public:
   /** \brief Characters up to the next line end, which is consumed, at most 64 k. */
   std::string
   line (const std::string& field);
+
+  /** \brief The next line that has more than white space, without its end; nothing
+   * when there is none. The last one of a file need not have an end. */
+  std::optional<std::string>
+  filledLine ();
 
   /** \brief Passes over the mark that some editors begin UTF-8 text with.
    * \throws IoError for UTF-16 text */

@@ -127,6 +127,18 @@ private:
   std::unique_ptr<FileLock> lock_;
 };
 
+/** What is there in place of a folder or of one above it; empty when nothing is. */
+std::string
+fileOnTheWay (const fs::path& folder)
+{
+  std::error_code error;
+  fs::path part = folder;
+  while (part.has_relative_path() && !fs::exists (part, error))
+    part = part.parent_path();
+  const bool found = fs::exists (part, error) && !fs::is_directory (part, error);
+  return found ? part.string() : std::string();
+}
+
 } // namespace
 
 void
@@ -134,8 +146,13 @@ makeFolder (const std::string& path)
 {
   std::error_code error;
   fs::create_directories (path, error);
-  if (error || !fs::is_directory (path))
-    throw IoError (path + ": the folder cannot be made; choose another");
+  if (!error && fs::is_directory (path))
+    return;
+  const std::string file = fileOnTheWay (path);
+  if (!file.empty())
+    throw IoError (path + ": the folder cannot be made, for '" + file +
+                   "' is a file; move that or choose another folder");
+  throw IoError (path + ": the folder cannot be made; choose another");
 }
 
 void

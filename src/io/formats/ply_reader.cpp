@@ -16,6 +16,8 @@ namespace pcl_msf::io {
 
 namespace {
 
+constexpr const char* kBlanks = " \t\r\v\f";
+
 enum class Format { Ascii, Little, Big };
 
 /** A number type of the format, by either of its names. */
@@ -66,6 +68,7 @@ struct Header {
   Format format{Format::Ascii};
   std::vector<Element> before; ///< elements that come before the vertices
   Element vertices;
+  std::uint64_t after{0}; ///< rows of the elements behind the vertices
 };
 
 Format
@@ -133,11 +136,12 @@ readHeader (InputFile& file)
     }
   }
   for (Element& element : elements) {
-    if (element.name == "vertex") {
+    if (!header.vertices.name.empty())
+      header.after += element.count;
+    else if (element.name == "vertex")
       header.vertices = std::move (element);
-      break;
-    }
-    header.before.push_back (std::move (element));
+    else
+      header.before.push_back (std::move (element));
   }
   if (header.vertices.name.empty())
     file.fail ("header", "has no vertices");
@@ -175,23 +179,69 @@ class Rows {
 public:
   Rows (InputFile& file, Format format) : file_ (file), format_ (format) {}
 
+  /** \param index of the row in its element */
   void
-  read (const Element& element, std::vector<double>& row)
+  read (const Element& element, std::uint64_t index, std::vector<double>& row)
   {
     row.clear();
-    if (format_ == Format::Ascii) {
-      for (const Property& property : element.properties) {
-        std::string word;
-        while (word.empty()) // blanks in a row
-          word = file_.word (property.name);
-        double value = std::numeric_limits<double>::quiet_NaN();
-        if (!parseNumber (word, value) && lowerCase (word).find ("nan") == word.npos &&
-            lowerCase (word).find ("inf") == word.npos)
-          file_.fail (property.name, "'" + word + "' is no number");
-        row.push_back (value);
-      }
+    if (format_ == Format::Ascii)
+      readLine (element, "row " + std::to_string (index + 1), row);
+    else
+      readBytes (element, row);
+  }
+
+  /** Refuses lines of a text that the header does not count. */
+  void
+  finish (const Header& header)
+  {
+    if (format_ != Format::Ascii)
       return;
+    const std::uint64_t counted = header.vertices.count + header.after;
+    for (std::uint64_t i = 0; i < header.after; ++i)
+      if (!file_.filledLine())
+        return; // nothing that is read
+    if (file_.filledLine())
+      file_.fail ("row " + std::to_string (counted + 1),
+                  "the header counts " + std::to_string (counted) +
+                      " rows, and more follow; mend its counts or remove them");
+  }
+
+private:
+  void
+  readLine (const Element& element, const std::string& name, std::vector<double>& row)
+  {
+    if (element.properties.empty())
+      return;
+    const std::string line = file_.filledLine().value_or ("");
+    for (std::size_t at = line.find_first_not_of (kBlanks); at != line.npos;) {
+      const std::size_t end = line.find_first_of (kBlanks, at);
+      row.push_back (numberOf (line.substr (at, end - at), name));
+      at = line.find_first_not_of (kBlanks, end);
     }
+    const std::size_t wanted = element.properties.size();
+    if (row.size() < wanted && !file_.filledLine())
+      file_.fail (name,
+                  "the file ends too early; it is cut short or of another format");
+    if (row.size() != wanted)
+      file_.fail (name,
+                  "has " + std::to_string (row.size()) +
+                      " numbers, the header counts " + std::to_string (wanted) +
+                      "; write each row into a line of its own");
+  }
+
+  double
+  numberOf (const std::string& word, const std::string& name) const
+  {
+    double value = std::numeric_limits<double>::quiet_NaN();
+    if (!parseNumber (word, value) && lowerCase (word).find ("nan") == word.npos &&
+        lowerCase (word).find ("inf") == word.npos)
+      file_.fail (name, "'" + word + "' is no number");
+    return value;
+  }
+
+  void
+  readBytes (const Element& element, std::vector<double>& row)
+  {
     std::size_t size = 0;
     for (const Property& property : element.properties)
       size += property.type.bytes;
@@ -204,7 +254,6 @@ public:
     }
   }
 
-private:
   InputFile& file_;
   Format format_;
   std::vector<unsigned char> bytes_;
@@ -251,12 +300,12 @@ readPly (const std::string& path)
     if (element.has_list)
       file.fail (element.name, "stands before the vertices and has a list");
     for (std::uint64_t i = 0; i < element.count; ++i)
-      rows.read (element, row);
+      rows.read (element, i, row);
   }
   const bool colored = std::min ({rgb[0], rgb[1], rgb[2]}) >= 0;
   PointFile result;
   for (std::uint64_t i = 0; i < vertices.count; ++i) {
-    rows.read (vertices, row);
+    rows.read (vertices, i, row);
     result.points.push_back (
         Eigen::Vector3d (row[xyz[0]], row[xyz[1]], row[xyz[2]]).cast<float>());
     std::uint32_t color = 0;
@@ -266,6 +315,7 @@ readPly (const std::string& path)
     if (colored)
       result.colors.push_back (color);
   }
+  rows.finish (header);
   return result;
 }
 

@@ -228,6 +228,14 @@ numbersOf (const Json& report)
   return numbers;
 }
 
+/** Has a tool of this library written it? Other programs write a report.json, too. */
+bool
+isOwn (const Json& report)
+{
+  return report.contains ("stop_reason") || // of pcl_msf_stream the others
+         (report.contains ("tracked") && report.contains ("lost"));
+}
+
 std::vector<std::pair<std::string, std::string>>
 readNumbers (const std::string& path)
 {
@@ -240,6 +248,9 @@ readNumbers (const std::string& path)
   const Json report = Json::parse (stream, nullptr, false);
   if (!report.is_object())
     throw IoError (path + ": report: it is no JSON object; the file is damaged");
+  if (!isOwn (report))
+    throw IoError (path + ": report: none of this library; give a folder of "
+                          "pcl_msf_scene_flow");
   return numbersOf (report);
 }
 
