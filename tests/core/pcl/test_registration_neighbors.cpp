@@ -17,21 +17,13 @@ namespace {
 using namespace pcl_msf;
 using pcl_msf::testing::BoxChain;
 using pcl_msf::testing::ChainCloud;
+using pcl_msf::testing::cloudOf;
 using pcl_msf::testing::drawChain;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 using Registration = PiecewiseRigidRegistration<pcl::PointXYZ>;
-
-Cloud::Ptr
-cloudOf (const ChainCloud& chain)
-{
-  auto cloud = pcl::make_shared<Cloud>();
-  for (const auto& p : chain.points)
-    cloud->emplace_back (p.x(), p.y(), p.z());
-  return cloud;
-}
 
 class NeighborRegistration : public ::testing::Test {
 protected:
@@ -42,8 +34,8 @@ protected:
     chain.boxes = 2;
     source = drawChain (chain, kPoints, false, 1);
     target = drawChain (chain, kPoints, true, 2);
-    registration.setInputSource (cloudOf (source));
-    registration.setInputTarget (cloudOf (target));
+    registration.setInputSource (cloudOf<pcl::PointXYZ> (source.points));
+    registration.setInputTarget (cloudOf<pcl::PointXYZ> (target.points));
   }
   double
   error (const pcl::PointXYZ& point, int index) const
@@ -69,7 +61,7 @@ protected:
   void
   takeTargetAway (const RigidPose& away)
   {
-    const auto moved = cloudOf (target);
+    const auto moved = cloudOf<pcl::PointXYZ> (target.points);
     pcl::transformPointCloud (*moved, *moved, away.matrix());
     registration.setInputTarget (moved);
   }
@@ -200,7 +192,7 @@ TEST_F (NeighborRegistration, KnownCorrespondencesLeadIt)
 {
   takeTargetAway (far);
   pcl::Correspondences pairs;
-  const auto targets = cloudOf (target);
+  const auto targets = cloudOf<pcl::PointXYZ> (target.points);
   for (int i = 0; i < kPoints; i += kPoints / 8) {
     const auto nearest = std::min_element (
         targets->begin(), targets->end(), [&] (const auto& a, const auto& b) {
@@ -240,7 +232,7 @@ TEST_F (NeighborRegistration, ConstraintsAreKeptAndBadOnesAreRefused)
   EXPECT_TRUE (registration.getCloudConstraints().point_weights.empty());
   // By the camera they have no meaning.
   registration.setCorrespondence (CorrespondenceMethod::Projective);
-  auto organized = cloudOf (source);
+  auto organized = cloudOf<pcl::PointXYZ> (source.points);
   organized->width = kPoints / 40;
   organized->height = 40;
   registration.setInputSource (organized);
@@ -257,8 +249,8 @@ TEST_F (NeighborRegistration, TellsToKeepTheGridOfACamerasClouds)
       target.points[i] = 0.5f * Eigen::Vector3f::Random() + offset;
     for (auto& p : source.points)
       p += offset;
-    registration.setInputSource (cloudOf (source));
-    registration.setInputTarget (cloudOf (target));
+    registration.setInputSource (cloudOf<pcl::PointXYZ> (source.points));
+    registration.setInputTarget (cloudOf<pcl::PointXYZ> (target.points));
     Cloud warped;
     ::testing::internal::CaptureStderr();
     registration.align (warped);

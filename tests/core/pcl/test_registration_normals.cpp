@@ -18,6 +18,7 @@ namespace {
 using namespace pcl_msf;
 using pcl_msf::testing::BoxChain;
 using pcl_msf::testing::ChainCloud;
+using pcl_msf::testing::cloudOf;
 using pcl_msf::testing::drawChain;
 using ::testing::HasSubstr;
 
@@ -27,24 +28,16 @@ using Registration = PiecewiseRigidRegistration<pcl::PointXYZ>;
 
 constexpr int kPoints = 2000;
 
-Cloud::Ptr
-cloudOf (const ChainCloud& chain)
-{
-  auto cloud = pcl::make_shared<Cloud>();
-  for (const auto& p : chain.points)
-    cloud->emplace_back (p.x(), p.y(), p.z());
-  return cloud;
-}
-
 class GivenNormals : public ::testing::Test {
 protected:
   GivenNormals()
   {
     chain.boxes = 2;
     drawn = drawChain (chain, kPoints, false, 1);
-    source = cloudOf (drawn);
+    source = cloudOf<pcl::PointXYZ> (drawn.points);
     registration.setInputSource (source);
-    registration.setInputTarget (cloudOf (drawChain (chain, kPoints, true, 2)));
+    registration.setInputTarget (
+        cloudOf<pcl::PointXYZ> (drawChain (chain, kPoints, true, 2).points));
   }
   Cloud
   warped (const Normals::ConstPtr& normals)

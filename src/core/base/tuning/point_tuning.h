@@ -186,7 +186,7 @@ struct WholeTuning {
   double left{0.6};     ///< of what one motion leaves uncovered: parts that leave more
                         ///< give way; more believes in parts that are chance
   double least{0.04};   ///< share that is left at all events before this is asked: less
-                      ///< is slower
+                        ///< is slower
 };
 
 /** \brief What is told of the result. */
