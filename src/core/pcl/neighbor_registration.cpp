@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // SPDX-FileCopyrightText: 2026 The pcl_msf authors
+#include "core/points/point_clouds.h"
 #include <pcl_msf/cloud_flow_estimator.h>
 #include <pcl_msf/errors.h>
 #include <pcl_msf/impl/neighbor_registration.h>
@@ -17,7 +18,6 @@ namespace detail {
 namespace {
 
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
-constexpr float kWidestView = 2.0f; // x or y by z: 127 degrees from side to side
 
 Eigen::Vector3f
 pointAt (const cv::Mat& image, std::size_t index)
@@ -98,7 +98,7 @@ isCameraView (const cv::Mat& points)
 {
   for (std::size_t i = 0; i < points.total(); ++i) {
     const Eigen::Vector3f p = pointAt (points, i);
-    if (p.allFinite() && !(p.head<2>().cwiseAbs().maxCoeff() < kWidestView * p.z()))
+    if (p.allFinite() && !isInCameraView (p))
       return false;
   }
   return true;

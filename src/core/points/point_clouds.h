@@ -64,6 +64,15 @@ struct InputPoints {
   const std::vector<Eigen::Vector3f>& normals;
 };
 
+/** \brief Could a camera in the origin have seen the point? It sees 127 degrees from
+ * side to side. \param point as given; not finite = no */
+inline bool
+isInCameraView (const Eigen::Vector3f& point)
+{
+  constexpr float widest = 2.0f; // x or y by z
+  return point.head<2>().cwiseAbs().maxCoeff() < widest * point.z();
+}
+
 /** \brief Prepares two clouds: without points that are not finite, doubled or off every
  * surface, and at most as many as are of use.
  * \param segments given ones, per source point; -1 = it takes no part; empty = none are

@@ -11,15 +11,12 @@ namespace pcl_msf {
 
 namespace {
 
-constexpr float kWidestView = 2.0f; // x or y by z: 127 degrees from side to side
-
 /** Could a camera in the origin have seen all of the points? \param points scaled */
 bool
 isCameraView (const PointClouds& clouds, const std::vector<Eigen::Vector3f>& points)
 {
   return std::all_of (points.begin(), points.end(), [&] (const Eigen::Vector3f& point) {
-    const Eigen::Vector3f p = clouds.asGiven (point);
-    return p.head<2>().cwiseAbs().maxCoeff() < kWidestView * p.z();
+    return isInCameraView (clouds.asGiven (point));
   });
 }
 
